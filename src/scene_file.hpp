@@ -1,0 +1,50 @@
+// Scene files: TOML read into a Scene and written back; every shipped scene and texture found from any directory.
+#pragma once
+
+#include "drapeau/scene.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace drapeau {
+
+/// Reads one scene file. Throws InputError naming file, line, key, value and what is allowed.
+Scene read_scene(const std::filesystem::path& file);
+
+/// The same from text; `origin` stands in for the file's name in messages.
+Scene parse_scene(std::string_view text, const std::string& origin);
+
+/// The scene as TOML, with every key the scene lists and a comment with each unit. parse_scene gives the same Scene back.
+std::string write_scene(const Scene& scene);
+
+/// Throws InputError if the scene is impossible (sizes, signs, wind nobody feels, more memory than there is);
+/// the window calls it for what its controls made, parse_scene calls it for what a file says.
+void check_scene(const Scene& scene);
+
+/// A path to an existing file, or the name of a shipped scene ("storm"). Throws InputError that lists the shipped ones.
+std::filesystem::path find_scene(const std::string& path_or_name);
+
+/// Names of the shipped scenes, "report" first.
+std::vector<std::string> shipped_scenes();
+
+/// Where `texture` of a scene read from `scene_file` lies: beside the scene, then in assets/flags. Throws InputError.
+std::filesystem::path find_texture(const std::string& texture, const std::filesystem::path& scene_file);
+
+/// assets/ of the source or build tree, or of the installation (found from the program's own place, not the working directory).
+std::filesystem::path assets_directory();
+
+/// Names as in scene files and on the command line: "semi-implicit-euler", "hoist", "flat", "float".
+std::string_view name_of(Attach attach);
+std::string_view name_of(Start start);
+std::string_view name_of(Method method);
+std::string_view name_of(Precision precision);
+
+/// The value of that name; throws InputError listing the allowed names, prefixed by `what` (for example "--method").
+Attach attach_named(std::string_view name, const std::string& what);
+Start start_named(std::string_view name, const std::string& what);
+Method method_named(std::string_view name, const std::string& what);
+Precision precision_named(std::string_view name, const std::string& what);
+
+}  // namespace drapeau
