@@ -1,0 +1,58 @@
+#include "ui_map.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+
+namespace drapeau {
+
+namespace {
+
+void append_field(std::string& text, std::string_view field) {
+    for (const char c : field) text += (c == '\t' || c == '\n' || c == '\r') ? ' ' : c;
+}
+
+}  // namespace
+
+UiMap::UiMap() {
+    if (const char* file = std::getenv("DRAPEAU_UI_MAP")) file_ = file;
+}
+
+void UiMap::state(std::string_view name, std::string_view value) {
+    if (!wanted()) return;
+    text_ += "state\t";
+    append_field(text_, name);
+    text_ += '\t';
+    append_field(text_, value);
+    text_ += '\n';
+}
+
+void UiMap::state(std::string_view name, double value) {
+    char digits[40];
+    std::snprintf(digits, sizeof digits, "%.9g", value);
+    state(name, std::string_view(digits));
+}
+
+void UiMap::control(std::string_view label, float x0, float y0, float x1, float y1, std::string_view value) {
+    if (!wanted()) return;
+    append_field(text_, label);
+    char corners[120];
+    std::snprintf(corners, sizeof corners, "\t%.1f\t%.1f\t%.1f\t%.1f\t", double(x0), double(y0), double(x1),
+                  double(y1));
+    text_ += corners;
+    append_field(text_, value);
+    text_ += '\n';
+}
+
+void UiMap::write() {
+    if (!wanted()) return;
+    const std::string aside = file_ + ".new";
+    {
+        std::ofstream out(aside, std::ios::binary | std::ios::trunc);
+        out << text_;
+    }
+    std::rename(aside.c_str(), file_.c_str());
+    text_.clear();
+}
+
+}  // namespace drapeau
