@@ -1,0 +1,91 @@
+#include "scene_check.hpp"
+
+#include "error.hpp"
+#include "scene_fields.hpp"
+#include "scene_file.hpp"
+
+#include <algorithm>
+
+#include <unistd.h>
+
+namespace drapeau {
+
+namespace {
+
+/// A run may take 4 GiB, or what the machine has if that is less.
+double memory_allowed() {
+    constexpr double most = 4.0 * 1024.0 * 1024.0 * 1024.0;
+    const double machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    return machine > 0.0 ? std::min(most, machine) : most;
+}
+
+std::optional<SceneFault> find_value_out_of_range(const Scene& scene) {
+    using namespace scene_fields;
+    std::optional<SceneFault> fault;
+    each_table(scene, [&](const std::string& table, const auto& settings, const auto& keys, bool) {
+        const auto* values = listed(settings);
+        if (!values) return;
+        each_field(keys, [&](const auto& field) {
+            const auto& value = values->*field.member;
+            if (fault || is_allowed(value, field.range)) return;
+            std::string text;
+            if constexpr (requires { value.has_value(); }) {
+                text = value_text(*value);
+            } else if constexpr (!std::is_enum_v<std::decay_t<decltype(value)>>) {
+                text = value_text(value);
+            }
+            fault = SceneFault{table, std::string(field.key), text, allowed_text(field)};
+        });
+    });
+    return fault;
+}
+
+}  // namespace
+
+std::string SceneFault::text() const {
+    const std::string name = table + (table.empty() || key.empty() ? "" : ".") + key;
+    return name + (value.empty() ? "" : " = " + one_line(value, 60)) + ": " + allowed;
+}
+
+double memory_of(double masses, Precision precision) {
+    // Position and velocity, the copy a diverged batch is put back to, the state handed out, and the pictures'
+    // snapshots.
+    constexpr double numbers_kept = 6 + 6;
+    constexpr double snapshots = 3 * 6 * sizeof(float);
+    constexpr double handed_out = 6 * sizeof(double);
+    const double number = precision == Precision::double_precision ? sizeof(double) : sizeof(float);
+    return masses * (numbers_kept * number + snapshots + handed_out);
+}
+
+std::optional<SceneFault> find_fault(const Scene& scene) {
+    const FlagSettings& flag = scene.flag;
+    const std::string longer_side = flag.columns >= flag.rows ? "columns" : "rows";
+    const std::string longer_count = std::to_string(std::max(flag.columns, flag.rows));
+    const double masses = std::max(1.0, 1.0 * flag.columns) * std::max(1.0, 1.0 * flag.rows);
+    const double memory = memory_of(masses, scene.time.precision);
+    std::string too_much;
+    if (memory > memory_allowed()) {
+        too_much = "the grid would take " + memory_text(memory) + " of memory and " + memory_text(memory_allowed()) +
+                   " is allowed";
+    }
+
+    if (auto fault = find_value_out_of_range(scene)) {
+        if (fault->table == "flag" && fault->key == longer_side && !too_much.empty()) fault->allowed += "; " + too_much;
+        return fault;
+    }
+    if (!too_much.empty()) return SceneFault{"flag", longer_side, longer_count, too_much};
+    if (flag.columns == 1 && flag.rows == 1) {
+        return SceneFault{"flag", "columns", "1",
+                          "with one row at least two columns are needed: one mass has no spring"};
+    }
+    if (scene.wind && !scene.springs.drag) {
+        return SceneFault{"wind", "", "", "nothing would feel it; give springs.drag too, or leave the wind out"};
+    }
+    return std::nullopt;
+}
+
+void check_scene(const Scene& scene) {
+    if (const auto fault = find_fault(scene)) throw InputError(fault->text());
+}
+
+}  // namespace drapeau

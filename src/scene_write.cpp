@@ -1,0 +1,39 @@
+#include "scene_fields.hpp"
+#include "scene_file.hpp"
+
+#include <algorithm>
+
+namespace drapeau {
+
+namespace {
+
+/// One line "key = value  # comment", comments aligned; nothing for an absent optional that has no word.
+template <class Settings, class Value>
+void write_field(std::string& text, const Settings& settings, const scene_fields::Field<Settings, Value>& field) {
+    const Value& value = settings.*field.member;
+    std::string line = std::string(field.key) + " = ";
+    if constexpr (requires { value.has_value(); }) {
+        if (!value && field.absent.empty()) return;
+        line += value ? scene_fields::value_text(*value) : in_quotes(field.absent);
+    } else {
+        line += scene_fields::value_text(value);
+    }
+    constexpr std::size_t comment_column = 32;
+    line.resize(std::max(line.size() + 2, comment_column), ' ');
+    text += line + "# " + std::string(field.comment) + "\n";
+}
+
+}  // namespace
+
+std::string write_scene(const Scene& scene) {
+    std::string text = "# A scene of drapeau: what is listed is modelled, what is left out is not.\n";
+    scene_fields::each_table(scene, [&](const std::string& table, const auto& settings, const auto& keys, bool) {
+        const auto* values = scene_fields::listed(settings);
+        if (!values) return;
+        if (!table.empty()) text += "\n[" + table + "]\n";
+        scene_fields::each_field(keys, [&](const auto& field) { write_field(text, *values, field); });
+    });
+    return text;
+}
+
+}  // namespace drapeau

@@ -1,0 +1,39 @@
+// Text as programs and people exchange it: numbers that read back to the same bits, one-line messages, the nearest
+// name. Nothing here depends on the locale.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace drapeau {
+
+/// The shortest decimal that reads back as the same number.
+std::string shortest(double value);
+std::string shortest(float value);
+
+/// A number for a person, with that many significant digits and no exponent where it can be helped: "0.0123", "1350".
+std::string rounded(double value, int digits);
+
+/// The whole text as one finite number; nothing if it is not one.
+std::optional<double> number_in(std::string_view text);
+
+/// A TOML basic string, which is also a JSON string.
+std::string in_quotes(std::string_view text);
+
+/// Control characters replaced and the length limited, so that a message stays one line.
+std::string one_line(std::string_view text, std::size_t longest = 120);
+
+bool is_utf8(std::string_view text);
+
+/// Bytes for a person: "24 MiB".
+std::string memory_text(double bytes);
+
+/// The candidate that differs by the fewest typing errors, if it is close enough to be what was meant.
+std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> candidates);
+
+/// "a", "b" or "c"
+std::string choices(std::span<const std::string_view> names);
+
+}  // namespace drapeau
