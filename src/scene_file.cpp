@@ -34,7 +34,10 @@ constexpr std::ptrdiff_t most_nesting = 4000;
 std::string echo(const toml::node& node) {
     if (const auto* value = node.as_boolean()) return value_text(value->get());
     if (const auto* value = node.as_integer()) return std::to_string(value->get());
-    if (const auto* value = node.as_floating_point()) return value_text(value->get());
+    if (const auto* value = node.as_floating_point()) {
+        const std::string text = shortest(value->get());
+        return text + (text.find_first_not_of("-0123456789") == std::string::npos ? ".0" : "");
+    }
     if (const auto* value = node.as_string()) return in_quotes(value->get());
     if (node.is_table()) return "a table";
     if (const auto* array = node.as_array()) {

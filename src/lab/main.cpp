@@ -1,0 +1,80 @@
+// The laboratory's command line: subcommands, and the one place where bad input becomes an exit status.
+#include "error.hpp"
+#include "run.hpp"
+#include "scene_file.hpp"
+#include "text.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <new>
+
+namespace {
+
+using namespace drapeau;
+using namespace drapeau::lab;
+
+constexpr const char* run_help =
+    "Simulate a scene for a time and say where it is and what it cost\n\n"
+    "A step given as a number is used as it is, and the time must be a whole number of such steps. With dt auto the "
+    "run\n"
+    "takes the largest step known to be stable, in whole batches of 1/60 s as the window does; a time that is no "
+    "whole\n"
+    "number of batches is divided into equal steps none of which is longer.\n\n"
+    "The state file has one line for each mass, row by row: column,row,x,y,z,vx,vy,vz in m and m/s, with as many "
+    "digits\n"
+    "as read back to the same number in the precision of the run.";
+
+int complain(const std::string& message) {
+    std::fprintf(stderr, "drapeau-lab: %s\n", message.c_str());
+    return exit_bad_input;
+}
+
+/// What stands on standard output may still wait for its disk.
+int finish_output(int status) {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
+        return complain(std::string("the results cannot be written: ") + std::strerror(errno));
+    }
+    return status;
+}
+
+int list_scenes() {
+    for (const std::string& name : shipped_scenes()) std::puts(name.c_str());
+    return exit_good;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    CLI::App app("drapeau-lab: what every setting of a flag costs, and where it leads", "drapeau-lab");
+    app.set_version_flag("--version", "drapeau-lab " DRAPEAU_VERSION);
+    app.require_subcommand(1);
+    app.footer("Exit status: 0 good, 2 bad input, 3 diverged.");
+
+    RunOptions options;
+    auto* run_command = app.add_subcommand("run", run_help);
+    run_command->add_option("SCENE", options.scene, "A scene file, or the name of a shipped scene")->required();
+    run_command->add_option("--seconds", options.seconds, "Time to simulate, s")->required()->type_name("T");
+    run_command->add_option("--method", options.method, "forward-euler or semi-implicit-euler")->type_name("M");
+    run_command->add_option("--dt", options.dt, "Step, s, or auto")->type_name("S");
+    run_command->add_option("--precision", options.precision, "float or double")->type_name("P");
+    run_command->add_option("--state", options.state, "Write the state of every mass")->type_name("FILE.csv");
+    run_command->add_option("--json", options.json, "Write the results as one JSON object")->type_name("FILE");
+    run_command->add_option("--csv", options.csv, "Write the results as a header and a row")->type_name("FILE");
+    auto* scenes_command = app.add_subcommand("scenes", "List the shipped scenes");
+
+    try {
+        app.parse(count, arguments);
+        return finish_output(scenes_command->parsed() ? list_scenes() : run(options));
+    } catch (const CLI::Success& help_or_version) {
+        return finish_output(app.exit(help_or_version));
+    } catch (const CLI::ParseError& error) {
+        return complain(one_line(error.what(), 300) + " (drapeau-lab --help says more)");
+    } catch (const InputError& error) {
+        return complain(error.what());
+    } catch (const std::bad_alloc&) {
+        return complain("not enough memory for this scene");
+    }
+}

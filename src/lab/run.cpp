@@ -1,0 +1,260 @@
+#include "run.hpp"
+
+#include "error.hpp"
+#include "progress.hpp"
+#include "results.hpp"
+#include "scene_file.hpp"
+#include "simulation.hpp"
+#include "text.hpp"
+#include "text_file.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace drapeau::lab {
+
+namespace {
+
+double processor_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double number_option(const std::string& name, const std::string& text, double lowest, double highest,
+                     const std::string& or_word) {
+    const auto number = number_in(text);
+    if (number && *number >= lowest && *number <= highest) return *number;
+    throw InputError(name + " = " + one_line(text, 60) + ": " + or_word + "a number of seconds from " +
+                     shortest(lowest) + " to " + shortest(highest) + " is allowed");
+}
+
+/// The scene with what the command line says instead.
+Scene scene_to_run(const RunOptions& options) {
+    Scene scene = read_scene(find_scene(options.scene));
+    if (!options.method.empty()) scene.time.method = method_named(options.method, "--method");
+    if (!options.precision.empty()) scene.time.precision = precision_named(options.precision, "--precision");
+    if (options.dt == "auto") {
+        scene.time.dt.reset();
+    } else if (!options.dt.empty()) {
+        scene.time.dt = number_option("--dt", options.dt, 1e-9, 1e3, "\"auto\" or ");
+    }
+    check_scene(scene);
+    return scene;
+}
+
+/// How many times `step` fits `seconds`, if that is a whole number but for the rounding of decimal input.
+std::optional<long long> whole_count(double seconds, double step) {
+    const double count = seconds / step;
+    const double tolerance = std::min(1e-3, 1e-12 * count);
+    if (std::abs(count - std::round(count)) > tolerance) return std::nullopt;
+    return std::llround(count);
+}
+
+/// How the time is filled: whole batches as the window does, or so many steps of one length.
+struct Plan {
+    long long batches = 0;
+    long long steps = 0;
+    std::optional<double> dt;  // s, of those steps
+};
+
+Plan plan_for(const Scene& scene, double seconds, const std::string& given_seconds) {
+    if (const auto dt = scene.time.dt) {
+        if (const auto steps = whole_count(seconds, *dt)) return {0, *steps, dt};
+        const double below = std::floor(seconds / *dt);
+        throw InputError("--seconds = " + one_line(given_seconds, 60) + ": a whole number of steps of " +
+                         shortest(*dt) + " s is allowed, such as " + rounded(below * *dt, 12) + " or " +
+                         rounded((below + 1.0) * *dt, 12));
+    }
+    if (const auto batches = whole_count(seconds, batch_seconds)) return {*batches, 0, {}};
+    // Equal steps, none longer than the automatic one.
+    const double steps = std::ceil(seconds / Simulation(scene).dt());
+    return {0, static_cast<long long>(steps), seconds / steps};
+}
+
+struct Cost {
+    double processor = 0.0;  // s
+    double wall = 0.0;       // s
+};
+
+std::optional<Divergence> carry_out(const Plan& plan, Simulation& simulation, Cost& cost) {
+    const auto wall_start = std::chrono::steady_clock::now();
+    const double processor_start = processor_seconds();
+    Progress progress;
+    std::optional<Divergence> divergence;
+    for (long long batch = 0; batch < plan.batches && !divergence; ++batch) {
+        divergence = simulation.advance_batch();
+        progress.show(static_cast<double>(batch + 1) / static_cast<double>(plan.batches));
+    }
+    // About a batch at a time, so that the bar moves and divergence is noticed.
+    const auto at_once = std::max(1LL, std::llround(std::min(1e9, batch_seconds / simulation.dt())));
+    for (long long done = 0; done < plan.steps && !divergence; done += at_once) {
+        divergence = simulation.advance_steps(std::min(at_once, plan.steps - done));
+        progress.show(std::min(1.0, static_cast<double>(done + at_once) / static_cast<double>(plan.steps)));
+    }
+    cost.processor = processor_seconds() - processor_start;
+    cost.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
+    return divergence;
+}
+
+/// Digits that read back to the same bits in the precision of the run.
+std::string state_number(double value, Precision precision) {
+    const auto narrow = static_cast<float>(value);
+    return precision == Precision::single_precision && static_cast<double>(narrow) == value ? shortest(narrow)
+                                                                                            : shortest(value);
+}
+
+void write_state(const std::string& file, const Simulation& simulation) {
+    const FlagSettings& flag = simulation.scene().flag;
+    const Precision precision = simulation.scene().time.precision;
+    const std::vector<double> state = simulation.state();
+    write_text_file(file, [&](const Append& append) {
+        append("column,row,x,y,z,vx,vy,vz\n");
+        std::size_t next = 0;
+        for (int row = 0; row < flag.rows; ++row) {
+            for (int column = 0; column < flag.columns; ++column) {
+                std::string line = std::to_string(column) + "," + std::to_string(row);
+                for (int component = 0; component < 6; ++component) {
+                    line += "," + state_number(state[next++], precision);
+                }
+                append(line + "\n");
+            }
+        }
+    });
+}
+
+std::string with_unit(double value, const std::string& unit) {
+    return rounded(value, 4) + " " + unit;
+}
+
+std::string in_hex(std::uint64_t value) {
+    char digits[17];
+    std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));
+    return digits;
+}
+
+std::vector<Result> results_of(const Simulation& simulation, const Cost& cost,
+                               const std::optional<Divergence>& divergence) {
+    const Scene& scene = simulation.scene();
+    const FlagSettings& flag = scene.flag;
+    const Readings readings = simulation.readings();
+    const double time = simulation.time();
+    const double limit = simulation.stability_limit();
+    const double milliseconds = 1e3 * cost.processor / time;
+    const double real_time = time / cost.wall;
+    const std::string of_limit = limit > 0.0 ? rounded(100.0 * simulation.dt() / limit, 3) +
+                                                   " % of the stability limit, " + with_unit(limit, "s")
+                                             : "no step is known to be stable";
+    const std::string hash = in_hex(simulation.state_hash());
+
+    std::vector<Result> results;
+    const auto text = [&](const std::string& key, std::string_view value, const std::string& label) {
+        results.push_back({key, in_quotes(value), label, std::string(value)});
+    };
+    const auto number = [&](const std::string& key, double value, const std::string& label, const std::string& shown) {
+        results.push_back({key, json_number(value), label, std::isfinite(value) ? shown : "-"});
+    };
+    const auto measure = [&](const std::string& key, double value, const std::string& label, const std::string& unit) {
+        number(key, value, label, with_unit(value, unit));
+    };
+    text("scene", scene.name, "scene");
+    number("columns", flag.columns, "masses", std::to_string(flag.columns) + " x " + std::to_string(flag.rows));
+    number("rows", flag.rows, "", "");
+    text("method", name_of(scene.time.method), "method");
+    text("precision", name_of(scene.time.precision), "precision");
+    measure("time_s", time, "time simulated", "s");
+    number("steps", static_cast<double>(simulation.steps()), "steps", std::to_string(simulation.steps()));
+    number("dt_s", simulation.dt(), "step", with_unit(simulation.dt(), "s") + " (" + of_limit + ")");
+    number("stability_limit_s", limit > 0.0 ? limit : NAN, "", "");
+    measure("cpu_ms_per_simulated_s", milliseconds, "CPU per simulated second", "ms");
+    number("real_time_factor", real_time, "real-time factor", rounded(real_time, 3));
+    measure("kinetic_energy_J", readings.kinetic_energy, "kinetic energy", "J");
+    measure("spring_energy_J", readings.spring_energy, "spring energy", "J");
+    measure("gravity_energy_J", readings.gravity_energy, "gravity energy", "J");
+    number("greatest_stretch", readings.greatest_stretch, "greatest stretch",
+           with_unit(100.0 * readings.greatest_stretch, "%"));
+    number("mean_stretch", readings.mean_stretch, "mean stretch", with_unit(100.0 * readings.mean_stretch, "%"));
+    measure("greatest_spring_force_N", readings.greatest_spring_force, "greatest spring force", "N");
+    text("state_hash", hash, "state hash");
+    results.push_back({"diverged", divergence ? "true" : "false", "", ""});
+    return results;
+}
+
+/// The same place by whatever name; false for devices, which are not harmed by being written twice.
+bool is_same_file(const std::string& one, const std::string& other) {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    if (fs::is_other(one, ignored)) return false;
+    return fs::equivalent(one, other, ignored) ||
+           fs::weakly_canonical(one, ignored) == fs::weakly_canonical(other, ignored);
+}
+
+/// Finds out before the work whether its results can be kept.
+void check_outputs(const RunOptions& options) {
+    struct Output {
+        std::string option, file;
+    };
+    std::vector<Output> named{{"the scene", find_scene(options.scene).string()}};
+    for (const Output& output : {Output{"--state", options.state}, {"--json", options.json}, {"--csv", options.csv}}) {
+        if (output.file.empty()) continue;
+        for (const Output& earlier : named) {
+            if (!is_same_file(earlier.file, output.file)) continue;
+            throw InputError(output.option + " = " + one_line(output.file, 1000) + ": the same file as " +
+                             earlier.option);
+        }
+        check_writable(output.file);
+        named.push_back(output);
+    }
+}
+
+void write_results(const RunOptions& options, const std::vector<Result>& results) {
+    if (!options.json.empty()) {
+        write_text_file(options.json, [&](const Append& append) { append(as_json(results)); });
+    }
+    if (!options.csv.empty()) {
+        write_text_file(options.csv, [&](const Append& append) { append(as_csv(results)); });
+    }
+}
+
+/// The table goes to standard output, unless a file asked for goes there.
+std::FILE* place_of_table(const RunOptions& options) {
+    for (const std::string& file : {options.state, options.json, options.csv}) {
+        if (!file.empty() && is_same_file("/dev/stdout", file)) return stderr;
+    }
+    return stdout;
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+    // Nothing to simulate is fine: it gives the start. Anything else takes at least the shortest step.
+    const double seconds =
+        number_option("--seconds", options.seconds, options.seconds == "0" ? 0.0 : 1e-9, 1e6, "0 or ");
+    const Scene scene = scene_to_run(options);
+    check_outputs(options);
+    const Plan plan = plan_for(scene, seconds, options.seconds);
+    Scene planned = scene;
+    planned.time.dt = plan.dt;
+    Simulation simulation(planned);
+    if (plan.dt) simulation.use_exact_dt();
+
+    Cost cost;
+    const auto divergence = carry_out(plan, simulation, cost);
+    const auto results = results_of(simulation, cost, divergence);
+    write_results(options, results);
+    if (divergence) {
+        std::fprintf(stderr, "drapeau-lab: %s\n", divergence->message.c_str());
+        return exit_diverged;
+    }
+    if (!options.state.empty()) write_state(options.state, simulation);
+    std::fputs(as_table(results).c_str(), place_of_table(options));
+    return exit_good;
+}
+
+}  // namespace drapeau::lab

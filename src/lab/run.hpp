@@ -1,0 +1,26 @@
+// drapeau-lab run: simulates a scene for a time, says what it cost and writes where every mass is.
+#pragma once
+
+#include <string>
+
+namespace drapeau::lab {
+
+inline constexpr int exit_good = 0;
+inline constexpr int exit_bad_input = 2;
+inline constexpr int exit_diverged = 3;
+
+struct RunOptions {
+    std::string scene;      // a path or the name of a shipped scene
+    std::string seconds;    // s of simulated time
+    std::string method;     // "" is the scene's own, as with dt and precision
+    std::string dt;         // s, or "auto"
+    std::string precision;  // float or double
+    std::string state;      // files to write; "" writes none
+    std::string json;
+    std::string csv;
+};
+
+/// The exit status: good or diverged. Throws InputError for bad input, before anything is computed or written.
+int run(const RunOptions& options);
+
+}  // namespace drapeau::lab
