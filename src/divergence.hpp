@@ -1,0 +1,32 @@
+// Divergence: how a run is watched, and how one that came apart is explained.
+#pragma once
+
+#include "engine.hpp"
+
+#include <optional>
+
+namespace drapeau {
+
+/// All the energy a run could have: what it began with, the work of gravity and wind so far in magnitude, and k L^2
+/// over its springs. A run that exceeds 100 times that, or holds a value that is not finite, has diverged.
+class EnergyBudget {
+public:
+    EnergyBudget(const Physics& physics, const Energy& initial)
+        : elastic_(elastic_scale(physics.grid, physics.material)), initial_(initial.total()) {}
+
+    double could_have() const { return elastic_ + initial_ + work_; }
+    void add_work(double joules) { work_ += std::abs(joules); }
+
+private:
+    double elastic_, initial_, work_ = 0.0;
+};
+
+/// Replays `count` steps of dt from the engine's kept state, finds the step that broke the budget, names place and
+/// limit, and leaves the engine on the kept state. `first_step` is the number of steps before them.
+Divergence explain_divergence(Engine& engine, const Physics& physics, const EnergyBudget& budget, double start,
+                              double dt, long long count, long long first_step);
+
+/// "0.35 ms", "1.2 s": a time for a sentence.
+std::string in_words(double seconds);
+
+}  // namespace drapeau

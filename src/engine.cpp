@@ -1,0 +1,139 @@
+#include "engine.hpp"
+
+#include "kernels/kernels.hpp"
+
+#include <array>
+#include <cstring>
+
+namespace drapeau {
+
+Physics::Physics(const Scene& scene)
+    : grid(spread(scene.flag.columns, scene.flag.rows, scene.flag.width, scene.flag.height)),
+      attach(scene.flag.attach),
+      material{scene.springs.mass, scene.springs.stiffness, scene.springs.diagonal_stiffness, scene.springs.damping},
+      gravity{scene.gravity ? scene.gravity->acceleration : glm::dvec3(0.0)},
+      drag{scene.springs.drag.value_or(0.0)},
+      friction{scene.springs.friction.value_or(0.0)},
+      method(scene.time.method) {
+    if (scene.wind) wind.wind = {scene.wind->velocity, scene.wind->gusts, scene.wind->period, scene.wind->seed};
+}
+
+Rates Physics::rates() const { return Rates::of(grid, material, drag.d, friction.c_f); }
+
+double Physics::largest_step() const {
+    switch (method) {
+        case Method::forward_euler: return drapeau::largest_step(ForwardEuler{}, rates());
+        case Method::semi_implicit_euler: break;
+    }
+    return drapeau::largest_step(SemiImplicitEuler{}, rates());
+}
+
+namespace {
+
+template <class Real>
+class EngineOf final : public Engine {
+public:
+    explicit EngineOf(const Physics& physics)
+        : physics_(physics),
+          kernel_(find_kernel<Real>(physics.method, physics.material.diagonal_stiffness.has_value(),
+                                    physics.material.damping.has_value())),
+          cloth_(physics.grid),
+          kept_(physics.grid),
+          fabric_(physics.grid, physics.attach, physics.material) {
+        for (int n = 0; n < most_steps_a_pass; ++n) buffers_.emplace_back(cloth_.width());
+    }
+
+    void advance(double start, double dt, long long count) override {
+        std::array<Ambient<Real>, most_steps_a_pass> ambient;
+        for (long long done = 0; done < count;) {
+            const int steps = static_cast<int>(std::min<long long>(steps_a_pass(), count - done));
+            for (int n = 0; n < steps; ++n)
+                ambient[n] = fold<Real>(physics_.material.mass, start + static_cast<double>(done + n) * dt,
+                                        physics_.gravity, physics_.drag, physics_.friction, physics_.wind);
+            kernel_.advance_cloth(cloth_.view(), fabric_.view(), ambient.data(), steps, static_cast<Real>(dt),
+                                  buffers_.data());
+            done += steps;
+        }
+    }
+
+    void keep() override { copy(cloth_, kept_); }
+    void return_to_kept() override { copy(kept_, cloth_); }
+
+    Energy energy() const override { return measure(cloth_, physics_.material); }
+
+    glm::dvec3 moved_since_kept() const override {
+        glm::dvec3 moved{0.0};
+        for (int c = 0; c < 3; ++c)
+            for (std::size_t n = 0; n < cloth_.count(); ++n)
+                moved[c] += static_cast<double>(cloth_.component(c)[n]) - static_cast<double>(kept_.component(c)[n]);
+        return moved;
+    }
+
+    Masses masses() const override {
+        Masses all;
+        for (int j = 0; j < physics_.grid.rows; ++j)
+            for (int i = 0; i < physics_.grid.columns; ++i) {
+                all.x.push_back(cloth_.position(i, j));
+                all.v.push_back(cloth_.velocity(i, j));
+            }
+        return all;
+    }
+
+    void set(const Masses& masses) override {
+        std::size_t n = 0;
+        for (int j = 0; j < physics_.grid.rows; ++j)
+            for (int i = 0; i < physics_.grid.columns; ++i, ++n) {
+                const bool held = is_attached(physics_.attach, physics_.grid, i, j);
+                cloth_.set_position(i, j, masses.x[n]);
+                cloth_.set_velocity(i, j, held ? glm::dvec3(0.0) : masses.v[n]);
+            }
+    }
+
+    void snapshot(Snapshot& into) const override {
+        into.columns = physics_.grid.columns;
+        into.rows = physics_.grid.rows;
+        into.stride = cloth_.stride();
+        std::vector<float>* const to[] = {&into.x, &into.y, &into.z, &into.vx, &into.vy, &into.vz};
+        for (int c = 0; c < 6; ++c) to[c]->assign(cloth_.component(c).begin(), cloth_.component(c).end());
+    }
+
+    std::uint64_t state_hash() const override {
+        std::uint64_t hash = 0;
+        for (int c = 0; c < 6; ++c)
+            for (int j = 0; j < physics_.grid.rows; ++j)
+                for (int i = 0; i < physics_.grid.columns; ++i) {
+                    const Real value = cloth_.component(c)[static_cast<std::size_t>(j) * cloth_.stride() + i];
+                    std::uint64_t bits = 0;
+                    std::memcpy(&bits, &value, sizeof value);
+                    hash = mix(hash ^ bits);
+                }
+        return hash;
+    }
+
+private:
+    static constexpr int most_steps_a_pass = 8;
+    // A state that fits the second-level cache gains nothing from sharing passes.
+    int steps_a_pass() const {
+        constexpr std::size_t cache_bytes = 1u << 20;
+        return cloth_.count() * 6 * sizeof(Real) > cache_bytes ? most_steps_a_pass : 1;
+    }
+
+    static void copy(const Cloth<Real>& from, Cloth<Real>& to) {
+        for (int c = 0; c < 6; ++c) std::copy(from.component(c).begin(), from.component(c).end(), to.component(c).begin());
+    }
+
+    Physics physics_;
+    const Kernel<Real>& kernel_;
+    Cloth<Real> cloth_, kept_;
+    Fabric<Real> fabric_;
+    std::vector<SweepBuffers<Real>> buffers_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_engine(const Physics& physics, Precision precision) {
+    if (precision == Precision::double_precision) return std::make_unique<EngineOf<double>>(physics);
+    return std::make_unique<EngineOf<float>>(physics);
+}
+
+}  // namespace drapeau

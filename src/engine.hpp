@@ -1,0 +1,59 @@
+// Engine: a scene's masses in one precision, moved by the kernel of its composition. Simulation chooses among engines.
+#pragma once
+
+#include "simulation.hpp"
+
+#include "drapeau/energy.hpp"
+#include "drapeau/forces.hpp"
+#include "drapeau/stability.hpp"
+
+#include <glm/vec3.hpp>
+
+#include <span>
+
+namespace drapeau {
+
+/// The physics of a scene, sorted for the core.
+struct Physics {
+    Grid grid;
+    Attach attach;
+    Material material;
+    Gravity gravity;  // zero where the scene lists none: it folds into one vector with the wind
+    AirDrag drag;
+    Friction friction;
+    UniformWind wind;
+    Method method;
+
+    explicit Physics(const Scene& scene);
+    Rates rates() const;
+    double largest_step() const;  // s; 0 if the method has no stable step
+};
+
+/// Position and velocity of every mass in double, row by row: what passes from one engine to another.
+struct Masses {
+    std::vector<glm::dvec3> x, v;
+};
+
+class Engine {
+public:
+    virtual ~Engine() = default;
+
+    /// Advances `count` steps of dt (s); step n of them starts at time start + n * dt.
+    virtual void advance(double start, double dt, long long count) = 0;
+    /// Keeps the state aside, and returns to what was kept.
+    virtual void keep() = 0;
+    virtual void return_to_kept() = 0;
+
+    virtual Energy energy() const = 0;
+    /// Total displacement since keep(), summed over the masses (m): what uniform forces did work along.
+    virtual glm::dvec3 moved_since_kept() const = 0;
+    virtual Masses masses() const = 0;
+    virtual void set(const Masses& masses) = 0;
+    virtual void snapshot(Snapshot& into) const = 0;
+    virtual std::uint64_t state_hash() const = 0;
+};
+
+/// An engine with all masses at rest at the origin; give it masses with set().
+std::unique_ptr<Engine> make_engine(const Physics& physics, Precision precision);
+
+}  // namespace drapeau
