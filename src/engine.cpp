@@ -18,12 +18,16 @@ Physics::Physics(const Scene& scene)
     if (scene.wind) wind.wind = {scene.wind->velocity, scene.wind->gusts, scene.wind->period, scene.wind->seed};
 }
 
-Rates Physics::rates() const { return Rates::of(grid, material, drag.d, friction.c_f); }
+Rates Physics::rates() const {
+    return Rates::of(grid, material, drag.d, friction.c_f);
+}
 
 double Physics::largest_step() const {
     switch (method) {
-        case Method::forward_euler: return drapeau::largest_step(ForwardEuler{}, rates());
-        case Method::semi_implicit_euler: break;
+        case Method::forward_euler:
+            return drapeau::largest_step(ForwardEuler{}, rates());
+        case Method::semi_implicit_euler:
+            break;
     }
     return drapeau::largest_step(SemiImplicitEuler{}, rates());
 }
@@ -119,7 +123,8 @@ private:
     }
 
     static void copy(const Cloth<Real>& from, Cloth<Real>& to) {
-        for (int c = 0; c < 6; ++c) std::copy(from.component(c).begin(), from.component(c).end(), to.component(c).begin());
+        for (int c = 0; c < 6; ++c)
+            std::copy(from.component(c).begin(), from.component(c).end(), to.component(c).begin());
     }
 
     Physics physics_;

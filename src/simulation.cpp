@@ -47,7 +47,7 @@ struct Simulation::Run {
     EnergyBudget budget;
     double dt;
     bool exact_dt = false;
-    double segment_start = 0.0;      // s: time is segment_start + (steps - segment_first) * dt, never a running sum
+    double segment_start = 0.0;  // s: time is segment_start + (steps - segment_first) * dt, never a running sum
     long long segment_first = 0;
     long long steps = 0;
 
@@ -86,7 +86,9 @@ Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
-const Scene& Simulation::scene() const { return run_->scene; }
+const Scene& Simulation::scene() const {
+    return run_->scene;
+}
 
 void Simulation::change(const Scene& scene) {
     check_scene(scene);
@@ -98,9 +100,13 @@ void Simulation::change(const Scene& scene) {
     run_ = std::move(next);
 }
 
-std::optional<Divergence> Simulation::advance_batch() { return run_->advance(steps_per_batch()); }
+std::optional<Divergence> Simulation::advance_batch() {
+    return run_->advance(steps_per_batch());
+}
 
-std::optional<Divergence> Simulation::advance_steps(long long count) { return run_->advance(count); }
+std::optional<Divergence> Simulation::advance_steps(long long count) {
+    return run_->advance(count);
+}
 
 void Simulation::use_exact_dt() {
     run_->segment_start = run_->time();
@@ -108,11 +114,21 @@ void Simulation::use_exact_dt() {
     run_->dt = chosen_step(run_->scene, run_->physics);
 }
 
-double Simulation::time() const { return run_->time(); }
-long long Simulation::steps() const { return run_->steps; }
-double Simulation::dt() const { return run_->dt; }
-int Simulation::steps_per_batch() const { return std::max(1, static_cast<int>(std::lround(batch_seconds / run_->dt))); }
-double Simulation::stability_limit() const { return run_->physics.largest_step(); }
+double Simulation::time() const {
+    return run_->time();
+}
+long long Simulation::steps() const {
+    return run_->steps;
+}
+double Simulation::dt() const {
+    return run_->dt;
+}
+int Simulation::steps_per_batch() const {
+    return std::max(1, static_cast<int>(std::lround(batch_seconds / run_->dt)));
+}
+double Simulation::stability_limit() const {
+    return run_->physics.largest_step();
+}
 
 void Simulation::snapshot(Snapshot& into) const {
     run_->engine->snapshot(into);
@@ -124,7 +140,8 @@ Readings Simulation::readings() const {
     const auto energy = run_->engine->energy();
     const auto masses = run_->engine->masses();
     double gravity = 0.0;
-    for (const auto& x : masses.x) gravity -= run_->physics.material.mass * Run::dot(run_->physics.gravity.acceleration, x);
+    for (const auto& x : masses.x)
+        gravity -= run_->physics.material.mass * Run::dot(run_->physics.gravity.acceleration, x);
     return {.kinetic_energy = energy.kinetic,
             .spring_energy = energy.spring,
             .gravity_energy = gravity,
@@ -133,7 +150,9 @@ Readings Simulation::readings() const {
             .greatest_spring_force = energy.greatest_force};
 }
 
-std::uint64_t Simulation::state_hash() const { return run_->engine->state_hash(); }
+std::uint64_t Simulation::state_hash() const {
+    return run_->engine->state_hash();
+}
 
 std::vector<double> Simulation::state() const {
     const auto masses = run_->engine->masses();

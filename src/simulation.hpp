@@ -14,7 +14,8 @@ namespace drapeau {
 
 inline constexpr double batch_seconds = 1.0 / 60.0;
 
-/// The component arrays of a moment. Mass (column i, row j) is element j * stride + i; stride >= columns, the rest is padding.
+/// The component arrays of a moment. Mass (column i, row j) is element j * stride + i; stride >= columns, the rest is
+/// padding.
 struct Snapshot {
     int columns = 0;
     int rows = 0;
@@ -27,23 +28,23 @@ struct Snapshot {
 
 /// Sizes of a moment, for panels and files. All of the same instant.
 struct Readings {
-    double kinetic_energy = 0.0;          // J
-    double spring_energy = 0.0;           // J
-    double gravity_energy = 0.0;          // J, zero at y = 0
-    double greatest_stretch = 0.0;        // share: 0.05 is 5 % longer than rest; over all springs
-    double mean_stretch = 0.0;            // share, mean of |l - L| / L
-    double greatest_spring_force = 0.0;   // N, max |k (l - L)|
+    double kinetic_energy = 0.0;         // J
+    double spring_energy = 0.0;          // J
+    double gravity_energy = 0.0;         // J, zero at y = 0
+    double greatest_stretch = 0.0;       // share: 0.05 is 5 % longer than rest; over all springs
+    double mean_stretch = 0.0;           // share, mean of |l - L| / L
+    double greatest_spring_force = 0.0;  // N, max |k (l - L)|
 };
 
 /// A run that came apart. The run then stands on the last good batch.
 struct Divergence {
-    long long step = 0;      // the step (since the run began) that broke it
-    double time = 0.0;       // s
-    int column = 0, row = 0; // where
-    double dt = 0.0;         // s, the step in use
-    double limit = 0.0;      // s, largest step the closed stability bound guarantees; 0 if there is none
-    double safe_dt = 0.0;    // s, 0.9 of the limit; 0 if there is none
-    std::string message;     // one line for a person
+    long long step = 0;       // the step (since the run began) that broke it
+    double time = 0.0;        // s
+    int column = 0, row = 0;  // where
+    double dt = 0.0;          // s, the step in use
+    double limit = 0.0;       // s, largest step the closed stability bound guarantees; 0 if there is none
+    double safe_dt = 0.0;     // s, 0.9 of the limit; 0 if there is none
+    std::string message;      // one line for a person
 };
 
 class Simulation {
@@ -69,9 +70,9 @@ public:
     /// The laboratory uses a numeric dt as given instead of rounding it to a whole number of steps a batch.
     void use_exact_dt();
 
-    double time() const;          // s
+    double time() const;  // s
     long long steps() const;
-    double dt() const;            // s, the step in use
+    double dt() const;  // s, the step in use
     int steps_per_batch() const;
     double stability_limit() const;  // s, the closed bound for this scene and method; 0 if there is no stable step
 

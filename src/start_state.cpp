@@ -25,13 +25,15 @@ glm::dvec3 sample(const Field& field, const Grid& from, double along, double dow
     return (1.0 - b) * ((1.0 - a) * at(i, j) + a * at(i2, j)) + b * ((1.0 - a) * at(i, j2) + a * at(i2, j2));
 }
 
-double share(int n, int count) { return count > 1 ? static_cast<double>(n) / (count - 1) : 0.0; }
+double share(int n, int count) {
+    return count > 1 ? static_cast<double>(n) / (count - 1) : 0.0;
+}
 
 /// Lets a flag come to rest under gravity: whenever its kinetic energy falls, all of it is taken out (kinetic damping).
 /// Bounded in work, so that a large grid starts soon, if not quite at rest.
 Masses settled(const Scene& scene, Masses masses) {
-    constexpr double mass_steps = 1.5e8;           // about a second of one core
-    constexpr double still = 1e-4;                 // m/s, root mean square
+    constexpr double mass_steps = 1.5e8;  // about a second of one core
+    constexpr double still = 1e-4;        // m/s, root mean square
     Scene quiet = scene;
     quiet.wind.reset();
     quiet.time.method = Method::semi_implicit_euler;

@@ -1,7 +1,8 @@
 // Advance: the sweep with a method as its `finish`: each row is moved in place as soon as its force is complete.
 //
 // Several steps can share one pass: step n+1 may take row j once step n has moved rows j and j+1, so it follows one row
-// behind, and the rows between them are still in the cache. The arithmetic, and so every bit, is that of separate passes.
+// behind, and the rows between them are still in the cache. The arithmetic, and so every bit, is that of separate
+// passes.
 #pragma once
 
 #include "drapeau/fabric.hpp"
@@ -12,9 +13,8 @@ namespace drapeau {
 /// Moves one row: a = force / m + uniform, then the method. Attached masses and padding (inverse mass 0) stay.
 template <class V, class Pair, bool diagonals, class Method, class UniformForces>
 DRAPEAU_INLINE void advance_row(Sweep<V, Pair, diagonals>& sweep, const Row<typename Lanes<V>::Real>& here,
-                                const Row<typename Lanes<V>::Real>* next,
-                                const typename Lanes<V>::Real* inverse_mass, const UniformForces& uniform,
-                                typename Lanes<V>::Real dt, Method) {
+                                const Row<typename Lanes<V>::Real>* next, const typename Lanes<V>::Real* inverse_mass,
+                                const UniformForces& uniform, typename Lanes<V>::Real dt, Method) {
     using L = Lanes<V>;
     sweep.row(here, next, [&](int i, const Triple<V>& force) DRAPEAU_INLINE_LAMBDA {
         const V w = L::load(inverse_mass + i);

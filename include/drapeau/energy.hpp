@@ -62,8 +62,7 @@ Energy measure(const Cloth<Real>& cloth, const Material& material) {
 /// Sum of k L^2 over the springs (J): the scale of the elastic energy there is room for.
 inline double elastic_scale(const Grid& grid, const Material& material) {
     double sum = 0.0;
-    for_each_spring(grid, material,
-                    [&](int, int, int, int, double k, double length) { sum += k * length * length; });
+    for_each_spring(grid, material, [&](int, int, int, int, double k, double length) { sum += k * length * length; });
     return sum;
 }
 

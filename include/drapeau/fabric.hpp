@@ -13,21 +13,28 @@ namespace drapeau {
 inline bool is_attached(Attach attach, const Grid& grid, int i, int j) {
     const bool hoist = i == 0, top = j == 0, bottom = j == grid.rows - 1;
     switch (attach) {
-        case Attach::hoist: return hoist;
-        case Attach::grommets: return hoist && (top || bottom);
-        case Attach::top: return top;
-        case Attach::corner: return hoist && top;
-        case Attach::edges: return hoist || top || bottom || i == grid.columns - 1;
-        case Attach::all: return true;
-        case Attach::none: break;
+        case Attach::hoist:
+            return hoist;
+        case Attach::grommets:
+            return hoist && (top || bottom);
+        case Attach::top:
+            return top;
+        case Attach::corner:
+            return hoist && top;
+        case Attach::edges:
+            return hoist || top || bottom || i == grid.columns - 1;
+        case Attach::all:
+            return true;
+        case Attach::none:
+            break;
     }
     return false;
 }
 
 /// The report's material: every mass and every spring alike, borders too.
 struct Material {
-    double mass = 0.0001;     // kg, of every mass
-    double stiffness = 200.0;  // k of structural springs, N/m
+    double mass = 0.0001;                      // kg, of every mass
+    double stiffness = 200.0;                  // k of structural springs, N/m
     std::optional<double> diagonal_stiffness;  // N/m; absent: no diagonal springs
     std::optional<double> damping;             // c of every spring, N s/m; absent: none
 };
@@ -39,9 +46,7 @@ struct FabricView {
     const Real* inverse_mass[3];  // 1/kg, of the top row, of any row between, of the bottom row; 0 where attached
     int rows;
 
-    DRAPEAU_INLINE const Real* inverse_mass_of(int j) const {
-        return inverse_mass[j == 0 ? 0 : j == rows - 1 ? 2 : 1];
-    }
+    DRAPEAU_INLINE const Real* inverse_mass_of(int j) const { return inverse_mass[j == 0 ? 0 : j == rows - 1 ? 2 : 1]; }
 };
 
 template <class Real>

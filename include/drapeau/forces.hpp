@@ -27,7 +27,8 @@ struct UniformWind {
     Wind wind;  // the same for every mass; needs AirDrag to be felt
 };
 
-/// The fold at one moment. Without an acceleration or without a rate, the member, its loads and its arithmetic are gone.
+/// The fold at one moment. Without an acceleration or without a rate, the member, its loads and its arithmetic are
+/// gone.
 template <class Real, bool has_acceleration, bool has_rate>
 struct Uniform;
 

@@ -50,7 +50,7 @@ struct Lanes {
 };
 
 template <class V>
-    requires std::is_floating_point_v<V>
+requires std::is_floating_point_v<V>
 struct Lanes<V> {
     using Real = V;
     static constexpr int width = 1;

@@ -10,8 +10,8 @@
 
 namespace drapeau {
 
-/// Springs that run alike from every mass of a row, as row-long arrays: element i is the spring that starts at column i.
-/// All three are zero where there is none (past the last column).
+/// Springs that run alike from every mass of a row, as row-long arrays: element i is the spring that starts at column
+/// i. All three are zero where there is none (past the last column).
 template <class Real>
 struct SpringRow {
     const Real* k;         // N/m

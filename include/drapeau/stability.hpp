@@ -18,11 +18,11 @@ namespace drapeau {
 
 /// A fabric's rates as the bounds need them.
 struct Rates {
-    double mass;              // kg
-    double k, kd;             // N/m; kd 0 without diagonals
-    double c, cd;             // N s/m, of structural and diagonal springs
-    double on_mass;           // d + c_f, N s/m
-    int directions;           // 2 on a sheet, 1 on a chain
+    double mass;     // kg
+    double k, kd;    // N/m; kd 0 without diagonals
+    double c, cd;    // N s/m, of structural and diagonal springs
+    double on_mass;  // d + c_f, N s/m
+    int directions;  // 2 on a sheet, 1 on a chain
 
     static Rates of(const Grid& grid, const Material& material, double drag, double friction) {
         const bool sheet = grid.columns > 1 && grid.rows > 1;
@@ -63,6 +63,8 @@ inline double largest_step(ForwardEuler, const Rates& r) {
 }
 
 /// The drag + friction (N s/m) that gives forward Euler the step dt (s).
-inline double damping_needed(ForwardEuler, const Rates& r, double dt) { return dt * r.laplacian(r.k, r.kd); }
+inline double damping_needed(ForwardEuler, const Rates& r, double dt) {
+    return dt * r.laplacian(r.k, r.kd);
+}
 
 }  // namespace drapeau

@@ -30,9 +30,8 @@ inline std::vector<glm::dvec3> crumpled_start(const Grid& grid, double prestretc
         for (int i = 0; i < grid.columns; ++i) {
             if (i > 0) {
                 const double along = (i - 0.5) * grid.pitch_x;
-                const double turn =
-                    greatest_angle * smooth_noise(seed, 100, folds_per_metre * along + slant * down) +
-                    0.4 * smooth_noise(seed, 101, 3.0 * folds_per_metre * along - slant * down);
+                const double turn = greatest_angle * smooth_noise(seed, 100, folds_per_metre * along + slant * down) +
+                                    0.4 * smooth_noise(seed, 101, 3.0 * folds_per_metre * along - slant * down);
                 const double step = (1.0 + prestretch) * grid.pitch_x;
                 place += step * glm::dvec3{std::cos(turn), 0.0, std::sin(turn)};
             }

@@ -145,7 +145,8 @@ private:
                 own = own + hoist;
                 auto below = Triple<V>{} - hoist;
                 if constexpr (diagonals) {
-                    const auto rising = Pair::template pull<V>(springs_.diagonal, i, x_below - x_right, v_below - v_right);
+                    const auto rising =
+                        Pair::template pull<V>(springs_.diagonal, i, x_below - x_right, v_below - v_right);
                     right = right + rising;
                     below = below - rising;
                     const auto x_corner = next.template position<V>(i + 1), v_corner = next.template velocity<V>(i + 1);

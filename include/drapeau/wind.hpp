@@ -52,7 +52,8 @@ struct Wind {
             if (gusts[axis] == 0.0) continue;
             const auto stream = static_cast<std::uint64_t>(2 * axis);
             const double s = 2.0 * t / period;  // a slow gust rises and falls in one period
-            w[axis] += gusts[axis] * (slow * smooth_noise(seed, stream, s) + fast * smooth_noise(seed, stream + 1, 4.0 * s));
+            w[axis] +=
+                gusts[axis] * (slow * smooth_noise(seed, stream, s) + fast * smooth_noise(seed, stream + 1, 4.0 * s));
         }
         return w;
     }

@@ -8,10 +8,10 @@
 
 namespace drapeau {
 
-#define DRAPEAU_DECLARE(symbol, name)                                   \
-    extern const KernelSet<float> float_forward_euler_##symbol;         \
-    extern const KernelSet<float> float_semi_implicit_euler_##symbol;   \
-    extern const KernelSet<double> double_forward_euler_##symbol;       \
+#define DRAPEAU_DECLARE(symbol, name)                                 \
+    extern const KernelSet<float> float_forward_euler_##symbol;       \
+    extern const KernelSet<float> float_semi_implicit_euler_##symbol; \
+    extern const KernelSet<double> double_forward_euler_##symbol;     \
     extern const KernelSet<double> double_semi_implicit_euler_##symbol;
 DRAPEAU_FOR_EACH_TARGET(DRAPEAU_DECLARE)
 
@@ -23,9 +23,9 @@ struct Target {
     const KernelSet<double>* double_precision[2];  // by Method
 };
 
-#define DRAPEAU_LIST(symbol, name)                                                     \
-    {name,                                                                             \
-     {&float_forward_euler_##symbol, &float_semi_implicit_euler_##symbol},             \
+#define DRAPEAU_LIST(symbol, name)                                         \
+    {name,                                                                 \
+     {&float_forward_euler_##symbol, &float_semi_implicit_euler_##symbol}, \
      {&double_forward_euler_##symbol, &double_semi_implicit_euler_##symbol}},
 const Target targets[] = {DRAPEAU_FOR_EACH_TARGET(DRAPEAU_LIST)};
 
@@ -71,6 +71,8 @@ std::vector<std::string> kernel_targets() {
     return names;
 }
 
-std::string kernel_target() { return choose().name; }
+std::string kernel_target() {
+    return choose().name;
+}
 
 }  // namespace drapeau
