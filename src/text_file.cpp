@@ -53,7 +53,9 @@ fs::path behind_links(const fs::path& name) {
 }
 
 fs::path unfinished(const fs::path& target) {
-    return target.parent_path() / ("." + target.filename().string().substr(0, 200) + "." + std::to_string(getpid()));
+    std::string hidden = ".";
+    hidden.append(target.filename().string(), 0, 200).append(".").append(std::to_string(getpid()));
+    return target.parent_path() / hidden;
 }
 
 /// Signals that would end the program wait while a file is given its name.

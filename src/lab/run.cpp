@@ -121,7 +121,7 @@ void write_state(const std::string& file, const Simulation& simulation) {
             for (int column = 0; column < flag.columns; ++column) {
                 std::string line = std::to_string(column) + "," + std::to_string(row);
                 for (int component = 0; component < 6; ++component) {
-                    line += "," + state_number(state[next++], precision);
+                    line.append(1, ',').append(state_number(state[next++], precision));
                 }
                 append(line + "\n");
             }
