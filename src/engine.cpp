@@ -2,6 +2,8 @@
 
 #include "kernels/kernels.hpp"
 
+#include "drapeau/team.hpp"
+
 #include <array>
 #include <cstring>
 
@@ -48,16 +50,20 @@ public:
     }
 
     void advance(double start, double dt, long long count) override {
-        std::array<Ambient<Real>, most_steps_a_pass> ambient;
+        std::array<Ambient<Real>, most_steps_a_turn> ambient;
         for (long long done = 0; done < count;) {
-            const int steps = static_cast<int>(std::min<long long>(steps_a_pass(), count - done));
+            const int steps = static_cast<int>(std::min<long long>(most_steps_a_turn, count - done));
             for (int n = 0; n < steps; ++n)
                 ambient[n] = fold<Real>(physics_.material.mass, start + static_cast<double>(done + n) * dt,
                                         physics_.gravity, physics_.drag, physics_.friction, physics_.wind);
-            kernel_.advance_cloth(cloth_.view(), fabric_.view(), ambient.data(), steps, static_cast<Real>(dt),
-                                  buffers_.data());
+            turn(ambient.data(), steps, static_cast<Real>(dt));
             done += steps;
         }
+    }
+
+    void use_threads(int threads) override {
+        const bool pays = physics_.grid.masses() >= fewest_masses_for_threads && threads > 1;
+        team_ = pays ? std::make_unique<Team<Real>>(threads, cloth_) : nullptr;
     }
 
     void keep() override { copy(cloth_, kept_); }
@@ -116,6 +122,25 @@ public:
 
 private:
     static constexpr int most_steps_a_pass = 8;
+    static constexpr int most_steps_a_turn = 64;  // per waking of the team
+    static constexpr long long fewest_masses_for_threads = 4096;
+
+    void turn(const Ambient<Real>* ambient, int steps, Real dt) {
+        const auto rows = cloth_.view();
+        const auto fabric = fabric_.view();
+        if (team_) {
+            team_->advance(rows, steps,
+                           [&](int first, int last, const Row<Real>* above, const Row<Real>* below, int step,
+                               SweepBuffers<Real>& buffers) {
+                               kernel_.advance_rows(rows, first, last, above, below, fabric, ambient[step], dt,
+                                                    buffers);
+                           });
+            return;
+        }
+        for (int n = 0; n < steps; n += steps_a_pass())
+            kernel_.advance_cloth(rows, fabric, ambient + n, std::min(steps_a_pass(), steps - n), dt, buffers_.data());
+    }
+
     // A state that fits the second-level cache gains nothing from sharing passes.
     int steps_a_pass() const {
         constexpr std::size_t cache_bytes = 1u << 20;
@@ -132,6 +157,7 @@ private:
     Cloth<Real> cloth_, kept_;
     Fabric<Real> fabric_;
     std::vector<SweepBuffers<Real>> buffers_;
+    std::unique_ptr<Team<Real>> team_;
 };
 
 }  // namespace

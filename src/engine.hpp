@@ -40,6 +40,8 @@ public:
 
     /// Advances `count` steps of dt (s); step n of them starts at time start + n * dt.
     virtual void advance(double start, double dt, long long count) = 0;
+    /// How many threads may share the work; small cloths stay on one, where a second would not pay.
+    virtual void use_threads(int threads) = 0;
     /// Keeps the state aside, and returns to what was kept.
     virtual void keep() = 0;
     virtual void return_to_kept() = 0;

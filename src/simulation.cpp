@@ -46,7 +46,7 @@ struct Simulation::Run {
     std::unique_ptr<Engine> engine;
     EnergyBudget budget;
     double dt;
-    bool exact_dt = false;
+    int threads = 1;
     double segment_start = 0.0;  // s: time is segment_start + (steps - segment_first) * dt, never a running sum
     long long segment_first = 0;
     long long steps = 0;
@@ -75,6 +75,11 @@ struct Simulation::Run {
         return {};
     }
 
+    void use_threads(int count) {
+        threads = count;
+        engine->use_threads(count);
+    }
+
     static double dot(const glm::dvec3& a, const glm::dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 };
 
@@ -97,6 +102,7 @@ void Simulation::change(const Scene& scene) {
                                                  : start_masses(scene));
     next->segment_start = run_->time();
     next->segment_first = next->steps = run_->steps;
+    next->use_threads(run_->threads);
     run_ = std::move(next);
 }
 
@@ -112,6 +118,10 @@ void Simulation::use_exact_dt() {
     run_->segment_start = run_->time();
     run_->segment_first = run_->steps;
     run_->dt = chosen_step(run_->scene, run_->physics);
+}
+
+void Simulation::use_threads(int threads) {
+    run_->use_threads(threads);
 }
 
 double Simulation::time() const {

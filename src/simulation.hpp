@@ -70,6 +70,9 @@ public:
     /// The laboratory uses a numeric dt as given instead of rounding it to a whole number of steps a batch.
     void use_exact_dt();
 
+    /// How many threads may share a step (1 at first); the bits are the same for any number.
+    void use_threads(int threads);
+
     double time() const;  // s
     long long steps() const;
     double dt() const;  // s, the step in use

@@ -21,6 +21,7 @@ struct Kernel {
                           SweepBuffers<Real>*);
     void (*advance_rows)(const Rows<Real>&, int first, int last, const Row<Real>* above, const Row<Real>* below,
                          const FabricView<Real>&, const Ambient<Real>&, Real dt, SweepBuffers<Real>&);
+    void (*spring_forces)(const Rows<Real>&, const FabricView<Real>&, const ForceRow<Real>&, SweepBuffers<Real>&);
 };
 
 /// The kernels of one method: [diagonals][damped].
