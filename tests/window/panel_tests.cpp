@@ -1,0 +1,191 @@
+// What the panel's controls set, and what becomes of input that is wrong.
+#include "app.hpp"
+#include "pixels.hpp"
+#include "scenes.hpp"
+
+#include "catch.hpp"
+
+using namespace drapeau::window_tests;
+
+namespace {
+
+struct StillFlag {
+    Screen screen;
+    TemporaryFolder folder;
+    App app{screen, {written(folder, "still.toml", still_scene), "--size", "1000x900"}};
+
+    /// The flag below the message box.
+    Box clear_of_messages() {
+        const Box flag = app.settle().box("flag");
+        return {flag.x0, flag.y0 + 0.3 * flag.height(), flag.x1, flag.y1};
+    }
+};
+
+std::string flag_file(const std::string& name) {
+    return std::string(DRAPEAU_ASSETS) + "/flags/" + name;
+}
+
+}  // namespace
+
+TEST_CASE_METHOD(StillFlag, "a broken image gives a message and leaves the flag as it was") {
+    const std::string whole = read_text(flag_file("france.png"));
+    std::filesystem::create_directory(folder / "folder.png");
+    const std::vector<std::string> bad{
+        folder / "missing.png",
+        written(folder, "text.png", "this is no picture"),
+        written(folder, "nothing.png", ""),
+        written(folder, "half.png", whole.substr(0, whole.size() / 2)),
+        folder / "folder.png",
+    };
+    app.show("Image file");
+    const Box box = clear_of_messages();
+    const drapeau::Image before = app.picture();
+    const std::string texture = app.look().text("texture");
+    for (const std::string& file : bad) {
+        CAPTURE(file);
+        app.type("Image file", file);
+        const std::string name = std::filesystem::path(file).filename().string();
+        app.wait_until("a message about " + name,
+                       [&name](const Look& look) { return look.text("message").find(name) != std::string::npos; });
+        CHECK(app.look().text("texture") == texture);
+        CHECK(changed(before, app.picture(), box).count() == 0);
+        app.press("Escape");
+        app.wait_until("the message to be gone", [](const Look& look) { return look.text("message").empty(); });
+    }
+    app.check_healthy();
+}
+
+TEST_CASE_METHOD(StillFlag, "a broken scene gives a message and leaves the flag as it was") {
+    const std::vector<std::string> bad{
+        folder / "missing.toml",
+        written(folder, "nothing.toml", ""),
+        written(folder, "unknown.toml", still_scene + "colour = \"red\"\n"),
+        written(folder, "binary.toml", std::string("\0\x7f\xff\0", 4)),
+    };
+    const Box box = clear_of_messages();
+    app.click("Time");
+    app.show("Scene file");
+    app.wait_until("the page", [](const Look& look) { return look.has("Scene file"); });
+    const drapeau::Image before = app.picture();
+    for (const std::string& file : bad) {
+        CAPTURE(file);
+        app.type("Scene file", file);
+        const std::string name = std::filesystem::path(file).filename().string();
+        app.wait_until("a message about " + name,
+                       [&name](const Look& look) { return look.text("message").find(name) != std::string::npos; });
+        const Look look = app.look();
+        CHECK(look.text("scene") == "Still");
+        CHECK(look.number("columns") == 4);
+        CHECK(look.number("rows") == 3);
+        CHECK(changed(before, app.picture(), box).count() == 0);
+        app.press("Escape");
+        app.wait_until("the message to be gone", [](const Look& now) { return now.text("message").empty(); });
+    }
+
+    // A good one after all that is taken.
+    app.type("Scene file", "drum");
+    app.wait_until("the drum", [](const Look& look) { return look.text("scene") == "Drum"; });
+    app.check_healthy();
+}
+
+TEST_CASE_METHOD(StillFlag, "an image file lies on the flag the right way up and the right way round") {
+    app.show("Image file");
+    app.type("Image file", flag_file("test-pattern.png"));
+    const Look look = app.wait_until("the test pattern", [](const Look& now) {
+        return now.text("texture").find("test-pattern") != std::string::npos;
+    });
+    const Box flag = look.box("flag");
+    const drapeau::Image picture = app.picture();
+
+    // The corner cells are a twelfth by an eighth; between their letters and their lower rim they are one colour.
+    const Colour top_hoist = colour_around(picture, flag.at(0.5 / 12, 0.95 / 8 - 0.01), 1);
+    const Colour top_fly = colour_around(picture, flag.at(11.5 / 12, 0.95 / 8 - 0.01), 1);
+    const Colour bottom_hoist = colour_around(picture, flag.at(0.5 / 12, 7.1 / 8), 1);
+    const Colour bottom_fly = colour_around(picture, flag.at(11.5 / 12, 7.1 / 8), 1);
+    CHECK(top_hoist.red > std::max(top_hoist.green, top_hoist.blue) + 60);
+    CHECK(top_fly.green > std::max(top_fly.red, top_fly.blue) + 40);
+    CHECK(bottom_hoist.blue > std::max(bottom_hoist.red, bottom_hoist.green) + 60);
+    CHECK(bottom_fly.red > bottom_fly.blue + 60);
+    CHECK(bottom_fly.green > bottom_fly.blue + 60);
+    app.check_healthy();
+}
+
+TEST_CASE_METHOD(StillFlag, "the list of images changes the flag, and the flag takes its proportions if wished") {
+    app.show("Image");
+    app.click("Image");
+    app.wait_until("the list", [](const Look& look) { return look.has("Image: germany"); });
+    app.click("Image: germany");
+    const Look german = app.wait_until(
+        "the image", [](const Look& look) { return look.text("texture").find("germany") != std::string::npos; });
+    const Box flag = german.box("flag");
+    const drapeau::Image picture = app.picture();
+    const Colour top = colour_around(picture, flag.at(0.5, 1.0 / 6)),
+                 middle = colour_around(picture, flag.at(0.5, 0.5));
+    const Colour bottom = colour_around(picture, flag.at(0.5, 5.0 / 6));
+    CHECK(std::max({top.red, top.green, top.blue}) < 70);
+    CHECK(middle.red > middle.green + 60);
+    CHECK(bottom.red > bottom.blue + 60);
+    CHECK(bottom.green > bottom.blue + 40);
+
+    // The German flag is 5 to 3 where the scene's is 3 to 2.
+    const double before = flag.width() / flag.height();
+    app.show("Shaped like its image");
+    app.set("Shaped like its image", true);
+    app.press("r");
+    app.wait_until("a longer flag", [before](const Look& look) {
+        const Box now = look.box("flag");
+        return now.width() / now.height() > 1.05 * before;
+    });
+    app.check_healthy();
+}
+
+TEST_CASE_METHOD(StillFlag, "dragging a slider sets the grid and does not turn the flag") {
+    const Look before = app.settle();
+    const Box slider = before.controls.at("Columns").box;
+    app.drag(slider.at(0.3, 0.5), before.box("view").at(0.5, 0.5));
+    const Look after = app.wait_until("more columns", [](const Look& look) { return look.number("columns") > 50; });
+    CHECK(after.text("columns") == after.controls.at("Columns").value);
+    CHECK(after.number("rows") == 3);
+    CHECK(after.text("azimuth") == before.text("azimuth"));
+    app.check_healthy();
+}
+
+TEST_CASE("the clock stops, goes on by steps, and begins anew") {
+    const Screen screen;
+    App app(screen, {"report", "--size", "800x600"});
+    app.wait_until("time to pass", [](const Look& look) { return look.number("time") > 0.05; });
+    app.press("space");
+    const Look paused = app.wait_until("the pause", [](const Look& look) { return look.number("paused") == 1; });
+    app.settle();
+    const Look still = app.settle();
+    CHECK(app.settle().number("time") == still.number("time"));
+    CHECK(still.number("time") >= paused.number("time"));
+
+    app.press("period");
+    app.wait_until("one step", [&](const Look& look) { return look.number("steps") == still.number("steps") + 1; });
+
+    app.press("r");
+    app.wait_until("the start", [&](const Look& look) { return look.number("time") < 0.5 * still.number("time"); });
+    app.check_healthy();
+}
+
+TEST_CASE("a run that comes apart stops on its last good frame and names a step that is safe") {
+    const Screen screen;
+    const TemporaryFolder folder;
+    // 1/60 s is about three times the limit of these springs; a first unevenness is all it needs.
+    std::string scene = hanging_scene;
+    scene.replace(scene.find("dt = \"auto\""), std::string("dt = \"auto\"").size(), "dt = 0.0166");
+    App app(screen, {written(folder, "apart.toml", scene), "--size", "1000x700"});
+    const Look apart =
+        app.wait_until("the end of the run", [](const Look& look) { return look.number("diverged") == 1; });
+    CHECK(apart.text("message").find("limit") != std::string::npos);
+    const Box view = apart.box("view"), flag = apart.box("flag");
+    CHECK(flag.width() > 0.1 * view.width());
+    CHECK(view.contains(flag.at(0.5, 0.5)));
+
+    app.click("Use the safe step");
+    app.wait_until("it to go on", [&](const Look& look) {
+        return look.number("diverged") == 0 && look.number("time") > apart.number("time") + 0.1;
+    });
+    app.check_healthy();
+}

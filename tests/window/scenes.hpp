@@ -1,0 +1,56 @@
+// Scenes written by the window tests: small, and still, so that two pictures differ only in what a test changed.
+#pragma once
+
+#include "process.hpp"
+
+#include <string>
+
+namespace drapeau::window_tests {
+
+/// Held nowhere, in no wind and without weight: it never moves. Four by three masses are three by two cells.
+inline const std::string still_scene = R"(name = "Still"
+[flag]
+columns = 4
+rows = 3
+width = 1.5
+height = 1.0
+attach = "none"
+start = "flat"
+texture = "france.png"
+[springs]
+mass = 0.001
+stiffness = 50.0
+damping = 0.01
+drag = 0.001
+[time]
+method = "semi-implicit-euler"
+dt = "auto"
+)";
+
+/// Hangs from its top edge and rests: a vertical spring carries all the masses below it, so force grows upwards.
+inline const std::string hanging_scene = R"(name = "Hanging"
+[flag]
+columns = 9
+rows = 9
+width = 1.0
+height = 1.0
+attach = "top"
+start = "hanging"
+[springs]
+mass = 0.01
+stiffness = 400.0
+damping = 0.2
+drag = 0.01
+[gravity]
+[time]
+method = "semi-implicit-euler"
+dt = "auto"
+)";
+
+inline std::string written(const TemporaryFolder& folder, const std::string& name, const std::string& text) {
+    const std::filesystem::path file = folder / name;
+    write_text(file, text);
+    return file.string();
+}
+
+}  // namespace drapeau::window_tests

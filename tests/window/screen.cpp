@@ -1,0 +1,45 @@
+#include "screen.hpp"
+
+#include <stdexcept>
+#include <thread>
+
+namespace drapeau::window_tests {
+
+Screen::Screen() {
+    // The server writes its display number to its standard output once it answers.
+    const std::string size = std::to_string(width) + "x" + std::to_string(height) + "x24";
+    server_ = std::make_unique<Process>(
+        std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", size, "-nolisten", "tcp", "-noreset"},
+        Surroundings{}, folder_.path());
+    const auto deadline = std::chrono::steady_clock::now() + patience;
+    while (server_->output().find('\n') == std::string::npos) {
+        if (!server_->running() || std::chrono::steady_clock::now() > deadline)
+            throw std::runtime_error("Xvfb did not start: " + server_->errors());
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    display_ = ":" + server_->output().substr(0, server_->output().find('\n'));
+    surroundings_.variables = {{"DISPLAY", display_},
+                               {"WAYLAND_DISPLAY", std::nullopt},
+                               {"XDG_SESSION_TYPE", "x11"},
+                               {"XAUTHORITY", std::nullopt},
+                               {"LIBGL_ALWAYS_SOFTWARE", "1"}};
+}
+
+Image Screen::picture() const {
+    const std::string file = (folder_ / "picture.png").string();
+    const Finished grab = run({"ffmpeg", "-nostdin", "-loglevel", "error", "-y", "-f", "x11grab", "-draw_mouse", "0",
+                               "-video_size", std::to_string(width) + "x" + std::to_string(height), "-i", display_,
+                               "-frames:v", "1", "-compression_level", "1", file},
+                              surroundings_);
+    if (grab.status != 0) throw std::runtime_error("could not take a picture of the screen: " + grab.errors);
+    return load_image(file);
+}
+
+std::string Screen::xdotool(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "xdotool");
+    const Finished done = run(arguments, surroundings_);
+    if (done.status != 0) throw std::runtime_error("xdotool " + arguments[1] + ": " + done.errors);
+    return done.output;
+}
+
+}  // namespace drapeau::window_tests

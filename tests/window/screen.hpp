@@ -1,0 +1,38 @@
+// Screen: an X server of the test's own (Xvfb), so that tests need no display and disturb none.
+#pragma once
+
+#include "process.hpp"
+
+#include "image/image.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace drapeau::window_tests {
+
+class Screen {
+public:
+    /// Starts the server on whatever display number is free.
+    Screen();
+
+    /// The environment of programs that are to appear on it.
+    const Surroundings& surroundings() const { return surroundings_; }
+
+    /// What is on the screen now, without the mouse pointer.
+    Image picture() const;
+
+    /// Runs xdotool, which sends real mouse and key events; gives back what it prints.
+    std::string xdotool(std::vector<std::string> arguments) const;
+
+    static constexpr int width = 1280;
+    static constexpr int height = 1024;
+
+private:
+    TemporaryFolder folder_;
+    std::unique_ptr<Process> server_;
+    Surroundings surroundings_;
+    std::string display_;
+};
+
+}  // namespace drapeau::window_tests
