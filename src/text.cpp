@@ -140,7 +140,9 @@ std::string memory_text(double bytes) {
 std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> candidates) {
     if (word.size() > 40) return std::nullopt;
     std::optional<std::string_view> best;
-    std::size_t fewest = std::max<std::size_t>(1, word.size() / 3) + 1;
+    // Two letters that changed places are two errors.
+    const std::size_t most = word.size() < 4 ? 1 : std::max<std::size_t>(2, word.size() / 3);
+    std::size_t fewest = most + 1;
     for (const std::string_view candidate : candidates) {
         const std::size_t errors = typing_errors(word, candidate);
         if (errors < fewest) {

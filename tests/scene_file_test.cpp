@@ -1,0 +1,483 @@
+// Laws of scene files: what is written is read back, what is wrong is named in one line.
+#include "catch.hpp"
+
+#include "error.hpp"
+#include "scene_file.hpp"
+#include "simulation.hpp"
+#include "text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <locale>
+#include <random>
+
+using namespace drapeau;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string springs = "[springs]\nmass = 0.1\nstiffness = 20\n";
+
+/// The message of the InputError that the work causes, "" if it causes none.
+std::string message_from(const auto& work) {
+    try {
+        work();
+        return "";
+    } catch (const InputError& error) {
+        return error.what();
+    }
+}
+std::string message_of(const std::string& text) {
+    return message_from([&] { parse_scene(text, "storm.toml"); });
+}
+std::string message_of_file(const fs::path& file) {
+    return message_from([&] { read_scene(file); });
+}
+std::string message_of_scene(const Scene& scene) {
+    return message_from([&] { check_scene(scene); });
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+bool is_one_line(const std::string& text) {
+    return !text.empty() && text.find_first_of("\n\r") == std::string::npos;
+}
+
+struct Folder {
+    fs::path path = fs::temp_directory_path() / ("drapeau-scenes-" + std::to_string(std::random_device{}()));
+    Folder() { fs::create_directories(path); }
+    ~Folder() { fs::remove_all(path); }
+
+    fs::path write(const std::string& name, const std::string& bytes) const {
+        std::ofstream(path / name, std::ios::binary) << bytes;
+        return path / name;
+    }
+};
+
+/// Any valid scene, its numbers of every magnitude allowed.
+class AnyScene {
+public:
+    explicit AnyScene(unsigned seed) : random_(seed) {}
+
+    Scene operator()() {
+        Scene scene;
+        scene.name = text();
+        scene.flag = {.columns = whole(1, 400),
+                      .rows = whole(2, 400),
+                      .width = positive(1e-3, 1e3),
+                      .height = positive(1e-3, 1e3),
+                      .attach = static_cast<Attach>(whole(0, 6)),
+                      .start = static_cast<Start>(whole(0, 2)),
+                      .prestretch = number(-0.9, 10.0),
+                      .texture = text()};
+        scene.springs = {.mass = positive(1e-9, 1e3),
+                         .stiffness = positive(1e-9, 1e9),
+                         .diagonal_stiffness = {},
+                         .damping = {},
+                         .drag = positive(1e-9, 1e6),
+                         .friction = {}};
+        if (coin()) scene.springs.diagonal_stiffness = positive(1e-9, 1e9);
+        if (coin()) scene.springs.damping = coin() ? 0.0 : positive(1e-9, 1e6);
+        if (coin()) scene.springs.friction = positive(1e-9, 1e6);
+        if (coin()) scene.gravity = GravitySettings{three(-1e4, 1e4)};
+        if (coin()) {
+            scene.wind = WindSettings{three(-1e6, 1e6), three(0.0, 1e6), positive(1e-3, 1e6), random_() >> 1};
+        } else if (coin()) {
+            scene.springs.drag.reset();
+        }
+        scene.time.method = static_cast<Method>(whole(0, 1));
+        scene.time.precision = static_cast<Precision>(whole(0, 1));
+        if (coin()) scene.time.dt = positive(1e-9, 1e3);
+        scene.view = {coin(), coin(), coin(), coin(), coin(), coin()};
+        return scene;
+    }
+
+private:
+    std::mt19937_64 random_;
+
+    bool coin() { return random_() % 2 == 0; }
+    int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+    double number(double low, double high) {
+        const double value = std::uniform_real_distribution<double>(low, high)(random_);
+        return coin() ? value : std::max(low, std::round(value));
+    }
+    double positive(double low, double high) { return std::exp(number_between(std::log(low), std::log(high))); }
+    double number_between(double low, double high) {
+        // A hair inside, so that exp(log()) stays in the range.
+        return std::uniform_real_distribution<double>(low + 1e-9, high - 1e-9)(random_);
+    }
+    glm::dvec3 three(double low, double high) { return {number(low, high), number(low, high), number(low, high)}; }
+    std::string text() {
+        const std::vector<std::string> pieces{"a", " ", "\"", "\\", "#", "é", "旗", "=", "[", "'", ".png", "/", "0"};
+        std::string result;
+        for (int n = whole(0, 12); n > 0; --n) result += pieces[static_cast<std::size_t>(whole(0, 12))];
+        return result;
+    }
+};
+
+struct CommaForDecimals : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+};
+
+}  // namespace
+
+TEST_CASE("a scene that is written is read back the same") {
+    AnyScene any(1);
+    for (int n = 0; n < 2000; ++n) {
+        const Scene scene = any();
+        const std::string text = write_scene(scene);
+        INFO(text);
+        REQUIRE(parse_scene(text, "written") == scene);
+    }
+}
+
+TEST_CASE("scene files do not depend on the locale") {
+    const std::locale before = std::locale::global(std::locale(std::locale(), new CommaForDecimals));
+    AnyScene any(2);
+    for (int n = 0; n < 100; ++n) {
+        const Scene scene = any();
+        REQUIRE(parse_scene(write_scene(scene), "written") == scene);
+    }
+    CHECK(message_of("[flag]\ncolumns = 5000\n" + springs) ==
+          "storm.toml:2: flag.columns = 5000: a whole number from 1 to 4096 is allowed");
+    std::locale::global(before);
+}
+
+TEST_CASE("a written scene comments every key") {
+    Scene scene;
+    scene.gravity.emplace();
+    scene.wind.emplace();
+    scene.springs.drag = 0.001;
+    std::istringstream lines(write_scene(scene));
+    for (std::string line; std::getline(lines, line);) {
+        if (has(line, " = ")) CHECK(has(line, "# "));
+    }
+}
+
+TEST_CASE("what a scene does not list is not modelled, and the rest has its documented value") {
+    const Scene scene = parse_scene(springs, "some/where/little.toml");
+    CHECK(scene.name == "little");
+    CHECK(scene.flag == FlagSettings{});
+    CHECK(scene.springs.mass == 0.1);
+    CHECK_FALSE(scene.springs.diagonal_stiffness);
+    CHECK_FALSE(scene.springs.damping);
+    CHECK_FALSE(scene.springs.drag);
+    CHECK_FALSE(scene.gravity);
+    CHECK_FALSE(scene.wind);
+    CHECK_FALSE(scene.time.dt);
+    CHECK(parse_scene(springs + "[gravity]\n", "x").gravity->acceleration == glm::dvec3(0.0, -9.8, 0.0));
+    CHECK(parse_scene(springs + "damping = 0\n", "x").springs.damping == 0.0);
+}
+
+TEST_CASE("every key of the format is read") {
+    const Scene scene = parse_scene(R"(
+        name = "All"
+        [flag]
+        columns = 3
+        rows = 4
+        width = 2
+        height = 0.5
+        attach = "grommets"
+        start = "crumpled"
+        prestretch = 0.1
+        texture = "a.png"
+        [springs]
+        mass = 1e-3
+        stiffness = 30
+        diagonal_stiffness = 15
+        damping = 0.1
+        drag = 0.2
+        friction = 0.3
+        [gravity]
+        acceleration = [1, -2.5, 3]
+        [wind]
+        velocity = [4, 5, 6]
+        gusts = [0.1, 0.2, 0.3]
+        period = 7
+        travelling = false
+        seed = 8
+        [time]
+        method = "forward-euler"
+        dt = 0.001
+        precision = "double"
+        [view]
+        texture = false
+        cloth = false
+        springs = true
+        forces = true
+        masses = true
+        texture_proportions = true)",
+                                    "all.toml");
+    Scene expected;
+    expected.name = "All";
+    expected.flag = {3, 4, 2.0, 0.5, Attach::grommets, Start::crumpled, 0.1, "a.png"};
+    expected.springs = {1e-3, 30.0, 15.0, 0.1, 0.2, 0.3};
+    expected.gravity = GravitySettings{{1.0, -2.5, 3.0}};
+    expected.wind = WindSettings{{4.0, 5.0, 6.0}, {0.1, 0.2, 0.3}, 7.0, 8};
+    expected.time = {Method::forward_euler, 0.001, Precision::double_precision};
+    expected.view = {false, false, true, true, true, true};
+    CHECK(scene == expected);
+}
+
+TEST_CASE("an impossible value is named with its file, line, key and what is allowed") {
+    CHECK(message_of("[flag]\ncolumns = 0\n" + springs) ==
+          "storm.toml:2: flag.columns = 0: a whole number from 1 to 4096 is allowed");
+    CHECK(message_of("\n\n\n\n\n[springs]\nmass = -1\nstiffness = 2\n") ==
+          "storm.toml:7: springs.mass = -1: a number from 1e-09 to 1000 is allowed");
+
+    struct Case {
+        std::string line, named, allowed;
+    };
+    const std::vector<Case> cases{
+        {"flag.columns = 2.5", "flag.columns = 2.5", "whole number"},
+        {"flag.columns = 3.0", "flag.columns = 3.0", "whole number"},
+        {"flag.rows = \"30\"", "flag.rows = \"30\"", "whole number"},
+        {"flag.rows = 99999999999999", "flag.rows = 99999999999999", "from 1 to 4096"},
+        {"flag.width = 0", "flag.width = 0", "from 0.001 to 1000"},
+        {"flag.width = nan", "flag.width = nan", "from 0.001 to 1000"},
+        {"flag.height = inf", "flag.height = inf", "from 0.001 to 1000"},
+        {"flag.attach = \"roof\"", "flag.attach = \"roof\"", "\"hoist\", \"grommets\", \"top\", \"corner\", \"edges\""},
+        {"flag.start = true", "flag.start = true", "\"flat\", \"hanging\" or \"crumpled\""},
+        {"flag.prestretch = -1", "flag.prestretch = -1", "from -0.9 to 10"},
+        {"flag.texture = 3", "flag.texture = 3", "text"},
+        {"flag.texture = \"a\\nb\"", "flag.texture = \"a", "text"},
+        {"gravity.acceleration = -9.8", "gravity.acceleration = -9.8", "three numbers"},
+        {"gravity.acceleration = [0, 1]", "gravity.acceleration = [0, 1]", "three numbers"},
+        {"gravity.acceleration = [0, nan, 0]", "gravity.acceleration = [0, nan, 0]", "three numbers"},
+        {"gravity.acceleration = [0, 1e5, 0]", "gravity.acceleration", "from -10000 to 10000"},
+        {"wind.gusts = [-1, 0, 0]", "wind.gusts = [-1, 0, 0]", "from 0 to 1000000"},
+        {"wind.period = 0", "wind.period = 0", "from 0.001 to 1000000"},
+        {"wind.seed = -1", "wind.seed = ", "whole number from 0"},
+        {"time.dt = 0", "time.dt = 0", "\"auto\" or a number from 1e-09 to 1000"},
+        {"time.dt = \"slow\"", "time.dt = \"slow\"", "\"auto\" or a number"},
+        {"time.method = \"euler\"", "time.method = \"euler\"", "\"forward-euler\" or \"semi-implicit-euler\""},
+        {"time.precision = \"half\"", "time.precision = \"half\"", "\"float\" or \"double\""},
+        {"view.cloth = 1", "view.cloth = 1", "true or false"},
+        {"flag = 3", "flag = 3", "a table is expected"},
+        {"name = 1979-05-27", "name = a date", "text"},
+    };
+    for (const Case& bad : cases) {
+        const std::string message = message_of("# first line\n" + bad.line + "\n" + springs);
+        INFO(bad.line << " gives: " << message);
+        CHECK(is_one_line(message));
+        CHECK(message.starts_with("storm.toml:2: "));
+        CHECK(has(message, bad.named));
+        CHECK(has(message, bad.allowed));
+    }
+    for (const std::string key : {"mass", "stiffness", "diagonal_stiffness", "damping", "drag", "friction"}) {
+        for (const std::string value : {"-1", "nan", "inf", "1e300", "\"1\"", "true", "[1]"}) {
+            const std::string rest =
+                (key == "mass" ? "" : "mass = 1\n") + std::string(key == "stiffness" ? "" : "stiffness = 1\n");
+            const std::string message = message_of("[springs]\n" + key + " = " + value + "\n" + rest);
+            INFO(key << " = " << value << " gives: " << message);
+            CHECK(is_one_line(message));
+            CHECK(message.starts_with("storm.toml:2: springs." + key + " = "));
+            CHECK(has(message, "is allowed"));
+        }
+    }
+}
+
+TEST_CASE("an unknown key or table is named, with what may have been meant") {
+    CHECK(message_of("[flag]\ncolums = 3\n" + springs) ==
+          "storm.toml:2: flag.colums = 3: unknown key; did you mean columns?");
+    CHECK(message_of("[flag]\nstiffness = 3\n" + springs) ==
+          "storm.toml:2: flag.stiffness = 3: unknown key; it belongs under [springs]");
+    CHECK(message_of("columns = 3\n" + springs) == "storm.toml:1: columns = 3: unknown key; it belongs under [flag]");
+    CHECK(message_of("[sprngs]\nmass = 3\n") == "storm.toml:1: [sprngs]: unknown table; did you mean springs?");
+    CHECK(has(message_of(springs + "[physics]\n"), "[physics]: unknown table; known here: name, flag, springs"));
+    CHECK(is_one_line(message_of("\"a\\nb\" = 3\n" + springs)));
+}
+
+TEST_CASE("what the format reserves for later is refused as not available") {
+    for (const std::string table : {"fabric", "face_pressure", "bending", "ground", "pole", "limit"}) {
+        const std::string message = message_of(springs + "[" + table + "]\n");
+        INFO(message);
+        CHECK(message.starts_with("storm.toml:4: [" + table + "]: not available in this version"));
+    }
+    CHECK(has(message_of("[wind]\ntravelling = true\n" + springs), "wind.travelling = true: not available"));
+    CHECK(has(message_of("[time]\ntolerance = 0.1\n" + springs), "time.tolerance = 0.1: not available"));
+    for (const std::string method : {"leapfrog", "rk4", "implicit-euler", "xpbd"}) {
+        const std::string message = message_of("[time]\nmethod = \"" + method + "\"\n" + springs);
+        INFO(message);
+        CHECK(has(message, "storm.toml:2: time.method = \"" + method +
+                               "\": not available in this version; \"forward-euler\" or"));
+        CHECK(has(message_from([&] { method_named(method, "--method"); }),
+                  "--method = \"" + method + "\": not available"));
+    }
+}
+
+TEST_CASE("a scene has exactly one material") {
+    CHECK(has(message_of("[flag]\ncolumns = 3\n"), "storm.toml: [springs] is missing"));
+    CHECK(has(message_of("[springs]\nstiffness = 1\n"), "storm.toml:1: springs.mass is missing"));
+    CHECK(has(message_of("[springs]\nmass = 1\n"), "storm.toml:1: springs.stiffness is missing"));
+    CHECK(has(message_of(springs + "[fabric]\ndensity = 1\n"), "storm.toml:4: [fabric]"));
+    CHECK(has(message_of("[fabric]\ndensity = 1\n"), "[springs]"));
+}
+
+TEST_CASE("wind that nothing feels is an error") {
+    CHECK(has(message_of(springs + "[wind]\nvelocity = [1, 0, 0]\n"), "storm.toml:4: wind: nothing would feel it"));
+    CHECK(message_of(springs + "drag = 0.1\n[wind]\nvelocity = [1, 0, 0]\n").empty());
+}
+
+TEST_CASE("one mass alone is an error, a chain is none") {
+    CHECK(has(message_of("[flag]\ncolumns = 1\nrows = 1\n" + springs), "storm.toml:2: flag.columns = 1"));
+    CHECK(message_of("[flag]\ncolumns = 1\nrows = 2\n" + springs).empty());
+    CHECK(message_of("[flag]\ncolumns = 2\nrows = 1\n" + springs).empty());
+}
+
+TEST_CASE("a grid too large is refused with the memory it would take") {
+    const std::string message = message_of("[flag]\ncolumns = 1000000000\n" + springs);
+    INFO(message);
+    CHECK(message.starts_with("storm.toml:2: flag.columns = 1000000000: "));
+    CHECK(has(message, "TiB of memory"));
+    CHECK(is_one_line(message));
+}
+
+TEST_CASE("a file that is no scene is refused in one line") {
+    const Folder folder;
+    std::string noise(5000, '\0');
+    std::mt19937 random(3);
+    for (char& c : noise) c = static_cast<char>(random());
+    std::string deep = "a";
+    for (int n = 0; n < 100000; ++n) deep += ".a";
+
+    const std::vector<std::pair<fs::path, std::string>> cases{
+        {folder.path / "missing.toml", "No such file"},
+        {folder.path, "folder"},
+        {folder.write("empty.toml", ""), "empty"},
+        {folder.write("comment.toml", "# nothing\n"), "[springs] is missing"},
+        {folder.write("noise.toml", noise), "not a text file"},
+        {folder.write("zeros.toml", std::string(100, '\0')), "not a text file"},
+        {folder.write("latin.toml", "name = \"\xE9t\xE9\"\n" + springs), "not a text file"},
+        {folder.write("long.toml", std::string(3 << 20, '#')), "1.0 MiB"},
+        {folder.write("deep.toml", deep + " = 1\n"), "dots and brackets"},
+        {folder.write("nested.toml", "a = " + std::string(3000, '[')), ":1: "},
+        {folder.write("syntax.toml", "[flag]\ncolumns = = 3\n"), "syntax.toml:2: "},
+        {folder.write("twice.toml", springs + "mass = 3\n"), "twice.toml:4: "},
+        {folder.write("open.toml", "name = \"never closed\n"), "open.toml:1: "},
+        {"/dev/zero", "1.0 MiB"},
+        {"/dev/null", "empty"},
+    };
+    for (const auto& [file, part] : cases) {
+        const std::string message = message_of_file(file);
+        INFO(message);
+        CHECK(is_one_line(message));
+        CHECK(message.starts_with(file.string()));
+        CHECK(has(message, part));
+    }
+}
+
+TEST_CASE("no damage to a scene file does more than an error in one line") {
+    const std::string good = write_scene(AnyScene(4)());
+    std::mt19937 random(5);
+    for (int n = 0; n < 3000; ++n) {
+        std::string bad = good;
+        for (auto changes = 1 + random() % 4; changes > 0; --changes) {
+            const std::size_t at = random() % bad.size();
+            switch (random() % 3) {
+                case 0:
+                    bad[at] = static_cast<char>(random());
+                    break;
+                case 1:
+                    bad.erase(at, random() % 20);
+                    break;
+                default:
+                    bad.insert(at, bad.substr(random() % bad.size(), random() % 20));
+            }
+            if (bad.empty()) bad = " ";
+        }
+        const std::string message = message_of(bad);
+        if (!message.empty()) REQUIRE(is_one_line(message));
+    }
+}
+
+TEST_CASE("values that controls make are checked as those of files are") {
+    Scene scene;
+    CHECK(message_of_scene(scene).empty());
+    scene.flag.columns = 0;
+    CHECK(message_of_scene(scene) == "flag.columns = 0: a whole number from 1 to 4096 is allowed");
+    scene = {};
+    scene.springs.damping = std::numeric_limits<double>::quiet_NaN();
+    CHECK(message_of_scene(scene) == "springs.damping = nan: a number from 0 to 1000000 is allowed");
+    scene = {};
+    scene.name = "two\nlines";
+    CHECK(is_one_line(message_of_scene(scene)));
+    scene = {};
+    scene.flag.texture = "no UTF-8: \xFF";
+    CHECK(has(message_of_scene(scene), "flag.texture"));
+    scene = {};
+    scene.wind.emplace();
+    CHECK(has(message_of_scene(scene), "nothing would feel it"));
+    scene = {};
+    scene.flag.attach = static_cast<Attach>(99);
+    CHECK(has(message_of_scene(scene), "flag.attach"));
+}
+
+TEST_CASE("names and values of settings are each other's inverse") {
+    for (int n = 0; n < 7; ++n) CHECK(attach_named(name_of(static_cast<Attach>(n)), "x") == static_cast<Attach>(n));
+    for (int n = 0; n < 3; ++n) CHECK(start_named(name_of(static_cast<Start>(n)), "x") == static_cast<Start>(n));
+    for (int n = 0; n < 2; ++n) CHECK(method_named(name_of(static_cast<Method>(n)), "x") == static_cast<Method>(n));
+    for (int n = 0; n < 2; ++n)
+        CHECK(precision_named(name_of(static_cast<Precision>(n)), "x") == static_cast<Precision>(n));
+    CHECK(name_of(Attach::edges) == "edges");
+    CHECK(name_of(Start::hanging) == "hanging");
+    CHECK(name_of(Method::semi_implicit_euler) == "semi-implicit-euler");
+    CHECK(name_of(Precision::single_precision) == "float");
+    CHECK_THROWS_WITH(precision_named("half", "--precision"),
+                      "--precision = \"half\": \"float\" or \"double\" is allowed");
+}
+
+TEST_CASE("a scene is found by path or by its shipped name") {
+    const Folder folder;
+    const fs::path file = folder.write("mine.toml", springs);
+    CHECK(find_scene(file.string()) == file);
+    CHECK(find_scene("storm").filename() == "storm.toml");
+    CHECK(fs::exists(find_scene("storm")));
+    const std::string typo = message_from([] { find_scene("strom"); });
+    CHECK(has(typo, "strom: no such file or shipped scene; did you mean storm?"));
+    CHECK(has(typo, "shipped: report"));
+    CHECK_THROWS_AS(find_scene("../scenes/storm"), InputError);
+    CHECK_THROWS_AS(find_scene(""), InputError);
+    CHECK(has(message_from([&] { find_scene(folder.path.string()); }), "folder"));
+}
+
+TEST_CASE("a texture lies beside the scene or among the flags") {
+    const Folder folder;
+    folder.write("france.png", "mine");
+    CHECK(find_texture("france.png", folder.path / "x.toml") == folder.path / "france.png");
+    CHECK(find_texture("japan.png", folder.path / "x.toml") == assets_directory() / "flags" / "japan.png");
+    const std::string none = message_from([&] { find_texture("none.png", folder.path / "x.toml"); });
+    CHECK(has(none, "none.png"));
+    CHECK(has(none, "japan.png"));
+    CHECK_THROWS_AS(find_texture("", folder.path / "x.toml"), InputError);
+}
+
+TEST_CASE("every shipped scene loads, finds its texture and runs a second within a few per cent of stretch") {
+    const auto names = shipped_scenes();
+    REQUIRE(names.size() >= 8);
+    CHECK(names.front() == "report");
+    for (const std::string& name : names) {
+        INFO(name);
+        const fs::path file = find_scene(name);
+        const Scene scene = read_scene(file);
+        if (!scene.flag.texture.empty()) CHECK(fs::exists(find_texture(scene.flag.texture, file)));
+
+        Simulation simulation(scene);
+        for (int batch = 0; batch < 60; ++batch) {
+            const auto divergence = simulation.advance_batch();
+            INFO((divergence ? divergence->message : ""));
+            REQUIRE_FALSE(divergence);
+        }
+        for (const double value : simulation.state()) REQUIRE(std::isfinite(value));
+        // A spring meant to be seen swinging may stretch; cloth may not.
+        if (name != "spring") CHECK(simulation.readings().greatest_stretch < 0.1 + scene.flag.prestretch);
+        CHECK(simulation.steps_per_batch() <= 1000);
+    }
+}
