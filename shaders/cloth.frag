@@ -1,0 +1,36 @@
+#version 330 core
+#include "frame.glsl"
+#include "light.glsl"
+
+uniform sampler2D picture;
+uniform int textured;
+uniform float dimmed;  // 1: a dark backdrop for force colours
+
+in vec3 place;
+in vec3 normal;
+in vec2 texture_place;
+
+out vec4 shade;
+
+const vec3 plain = vec3(0.075, 0.125, 0.215);
+const vec3 dark = vec3(0.035, 0.043, 0.058);
+
+void main() {
+    vec3 to_eye = normalize(eye.xyz - place);
+    vec3 n = normalize(normal);
+    if (!gl_FrontFacing) n = -n;
+
+    vec3 color = textured == 1 ? texture(picture, texture_place).rgb : plain;
+    color = mix(color, dark + 0.06 * color, dimmed);
+
+    // Lit side, light that comes through from behind, and a sheen that runs along folds seen at a grazing angle.
+    float facing = dot(n, sun.xyz);
+    float lit = max(0.0, facing);
+    float through = max(0.0, -facing);
+    float graze = 1.0 - max(0.0, dot(n, to_eye));
+    float glint = pow(max(0.0, dot(n, normalize(sun.xyz + to_eye))), 22.0);
+
+    vec3 light = ambient(n) + sun_light * (0.86 * lit + 0.30 * through) + 0.10 * max(0.0, dot(n, to_eye));
+    vec3 sheen = sky_light * 0.10 * graze * graze + sun_light * 0.045 * glint * step(0.0, facing);
+    shade = vec4(color * light + sheen, 1.0);
+}

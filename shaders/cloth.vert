@@ -1,0 +1,18 @@
+#version 330 core
+#include "frame.glsl"
+#include "grid.glsl"
+#include "cloth_normal.glsl"
+
+uniform ivec2 grid;  // columns, rows
+
+out vec3 place;
+out vec3 normal;
+out vec2 texture_place;
+
+void main() {
+    ivec2 mass = ivec2(gl_VertexID % grid.x, gl_VertexID / grid.x);
+    place = position(mass);
+    normal = cloth_normal(mass, grid);
+    texture_place = vec2(mass) / vec2(max(grid - 1, ivec2(1)));
+    gl_Position = to_clip * vec4(place, 1.0);
+}

@@ -1,0 +1,4 @@
+#version 330 core
+out vec4 shade;
+
+void main() { shade = vec4(1.0); }

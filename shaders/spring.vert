@@ -1,0 +1,47 @@
+#version 330 core
+#include "frame.glsl"
+#include "grid.glsl"
+
+uniform ivec2 offset;     // columns and rows from a spring's one end to the other
+uniform int per_row;      // springs of this kind in a row
+uniform float rest;       // L, m
+uniform float stiffness;  // k, N/m
+uniform float width;      // in units of line width
+uniform float lift;       // m towards the eye, so that the cloth does not hide its own springs
+uniform int by_force;
+uniform float force_scale;  // N
+uniform vec3 color;
+
+out vec3 tint;
+out float across;  // pixels from the line's middle
+flat out float half_width;
+
+const vec3 strongest = vec3(0.80, 0.0, 0.015);
+
+vec4 lifted(vec3 point) { return to_clip * vec4(point + lift * normalize(eye.xyz - point), 1.0); }
+
+void main() {
+    ivec2 mass = ivec2(gl_InstanceID % per_row + max(0, -offset.x), gl_InstanceID / per_row);
+    vec3 a = position(mass);
+    vec3 b = position(mass + offset);
+
+    // |k (l - L)|, white when slack and red at the scale's end
+    float force = abs(stiffness * (distance(a, b) - rest));
+    tint = by_force == 1 ? mix(vec3(1.0), strongest, clamp(force / force_scale, 0.0, 1.0)) : color;
+
+    vec4 ends[2] = vec4[2](lifted(a), lifted(b));
+    if (ends[0].w < 1e-3 || ends[1].w < 1e-3) {
+        gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // behind the eye
+        return;
+    }
+    vec2 half_size = 0.5 * picture_size.xy;
+    vec2 along = (ends[1].xy / ends[1].w - ends[0].xy / ends[0].w) * half_size;
+    float size = length(along);
+    along = size > 1e-6 ? along / size : vec2(1.0, 0.0);
+
+    half_width = 0.5 * width * picture_size.z;
+    float side = float(gl_VertexID % 2) * 2.0 - 1.0;
+    across = side * (half_width + 1.0);
+    gl_Position = ends[gl_VertexID / 2];
+    gl_Position.xy += vec2(-along.y, along.x) * across / half_size * gl_Position.w;
+}

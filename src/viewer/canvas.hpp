@@ -1,0 +1,32 @@
+// Canvas: where a frame is drawn before it is shown. Multisampled sRGB for the scene, resolved for panels, files and
+// the window; its size is the picture's, whatever the window system made of the window.
+#pragma once
+
+#include "gl_objects.hpp"
+#include "image/image.hpp"
+
+namespace drapeau {
+
+class Canvas {
+public:
+    Canvas(int width, int height, int samples);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    void resize(int width, int height);
+
+    void begin_scene();   // from here colours are linear and multisampled
+    void begin_panels();  // from here colours are written as they are, on the resolved picture
+    void show(int window_width, int window_height);  // onto the window
+
+    Image read() const;  // opaque
+
+private:
+    void allocate();
+
+    int width_, height_, samples_;
+    GlRenderbuffer scene_color_, scene_depth_, shown_color_;
+    GlFramebuffer scene_, shown_;
+};
+
+}  // namespace drapeau

@@ -1,0 +1,37 @@
+// Controls: what mouse and keys do to the camera and the session. A drag that begins on a panel stays with the panel.
+#pragma once
+
+#include "camera.hpp"
+#include "input.hpp"
+#include "session.hpp"
+
+#include <vector>
+
+namespace drapeau {
+
+struct Claims {
+    bool mouse = false;     // the interface uses the mouse now
+    bool keyboard = false;  // a text is being typed
+};
+
+class Controls {
+public:
+    void apply(const std::vector<InputEvent>& events, const Claims& claims, const Framing& framing, Session& session,
+               Camera& camera);
+
+    bool wants_to_quit() const { return quit_; }
+
+private:
+    enum class Drag { none, turn, slide };
+
+    void press(const InputEvent& event, bool claimed, Session& session);
+    void key(const InputEvent& event, Session& session, Camera& camera);
+
+    Drag drag_ = Drag::none;
+    glm::vec2 last_{0.0f};  // the mouse, at the last event of the drag
+    glm::vec2 pressed_at_{-1e6f};
+    double pressed_time_ = -1e6;  // s
+    bool quit_ = false;
+};
+
+}  // namespace drapeau

@@ -1,0 +1,85 @@
+#include "film.hpp"
+
+#include "error.hpp"
+
+#include <csignal>
+#include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace drapeau {
+
+namespace {
+
+// Even sides, as most codecs want; a palette of its own for GIF.
+std::string filter_for(const std::filesystem::path& file) {
+    if (file.extension() == ".gif") return "fps=25,split[a][b];[a]palettegen[p];[b][p]paletteuse";
+    return "pad=ceil(iw/2)*2:ceil(ih/2)*2,format=yuv420p";
+}
+
+}  // namespace
+
+Film::Film(const std::filesystem::path& file, int width, int height, int frames_per_second)
+    : file_(file), width_(width), height_(height) {
+    std::signal(SIGPIPE, SIG_IGN);  // an ffmpeg that gives up is noticed when writing
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) throw InputError("--film: no pipe to ffmpeg could be made");
+    const std::string size = std::to_string(width) + "x" + std::to_string(height);
+    std::vector<std::string> words{"ffmpeg", "-loglevel", "error",    "-y",
+                                   "-f",     "rawvideo",  "-pix_fmt", "rgba",
+                                   "-s",     size,        "-r",       std::to_string(frames_per_second),
+                                   "-i",     "pipe:0",    "-vf",      filter_for(file)};
+    if (file.extension() == ".mp4")
+        words.insert(words.end(), {"-c:v", "libx264", "-crf", "18", "-movflags", "+faststart"});
+    words.push_back(std::filesystem::absolute(file).string());
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+    const int failure = posix_spawnp(&ffmpeg_, "ffmpeg", &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    close(ends[0]);
+    pipe_ = ends[1];
+    if (failure == 0) return;
+    ffmpeg_ = -1;
+    close(std::exchange(pipe_, -1));
+    throw InputError(std::string("--film needs ffmpeg, which could not be started: ") + std::strerror(failure));
+}
+
+Film::~Film() {
+    end();
+}
+
+void Film::add(const Image& frame) {
+    if (frame.width != width_ || frame.height != height_) return;
+    std::size_t written = 0;
+    while (written < frame.rgba.size()) {
+        const ssize_t count = write(pipe_, frame.rgba.data() + written, frame.rgba.size() - written);
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) throw InputError("--film " + file_.string() + ": ffmpeg gave up; what it said is above");
+        written += std::size_t(count);
+    }
+}
+
+int Film::end() {
+    if (pipe_ >= 0) close(std::exchange(pipe_, -1));
+    if (ffmpeg_ < 0) return 0;
+    int status = 0;
+    waitpid(std::exchange(ffmpeg_, -1), &status, 0);
+    return status;
+}
+
+void Film::finish() {
+    if (end() != 0) throw InputError("--film " + file_.string() + ": ffmpeg could not make it; what it said is above");
+}
+
+}  // namespace drapeau

@@ -1,0 +1,34 @@
+// Film: frames handed to ffmpeg as they are drawn; the file's ending chooses the format.
+#pragma once
+
+#include "image/image.hpp"
+
+#include <filesystem>
+
+#include <sys/types.h>
+
+namespace drapeau {
+
+class Film {
+public:
+    /// Throws InputError if there is no ffmpeg.
+    Film(const std::filesystem::path& file, int width, int height, int frames_per_second);
+    ~Film();
+    Film(const Film&) = delete;
+    Film& operator=(const Film&) = delete;
+
+    void add(const Image& frame);
+
+    /// Throws InputError if ffmpeg did not make the film.
+    void finish();
+
+private:
+    int end();
+
+    std::filesystem::path file_;
+    int width_, height_;
+    int pipe_ = -1;
+    pid_t ffmpeg_ = -1;
+};
+
+}  // namespace drapeau

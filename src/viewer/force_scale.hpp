@@ -1,0 +1,22 @@
+// ForceScale: the newtons of the reddest force colour, a round number that follows the forces without flicker.
+#pragma once
+
+#include "simulation.hpp"
+
+namespace drapeau {
+
+/// The smallest of 1, 2, 5 x 10^n that is not below `value`.
+double rounded_up(double value);
+
+class ForceScale {
+public:
+    /// Follows a new moment of the run.
+    void follow(const Snapshot& snapshot, const Scene& scene);
+    double newtons() const { return shown_; }
+
+private:
+    double level_ = 0.0;  // N, twice the root mean square of spring forces, quick to rise and slow to fall
+    double shown_ = 1e-3;
+};
+
+}  // namespace drapeau

@@ -1,0 +1,23 @@
+// FrameBlock: the constants every shader sees this frame, laid out as shaders/frame.glsl declares them (std140).
+#pragma once
+
+#include "picture.hpp"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+namespace drapeau {
+
+struct FrameBlock {
+    glm::mat4 to_clip;
+    glm::mat4 to_world;
+    glm::vec4 eye;
+    glm::vec4 sun;      // towards the sun
+    glm::vec4 picture;  // width and height in pixels, pixels per unit of line width
+    glm::vec4 ground;   // height, 1 if there is ground, x of the pole's foot
+    glm::vec4 shadow;   // x, z of the shadow texture's corner on the ground and 1 / its sides
+};
+
+FrameBlock frame_block(const Picture& picture, glm::vec2 size);
+
+}  // namespace drapeau

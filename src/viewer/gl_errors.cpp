@@ -1,0 +1,40 @@
+#include "gl_errors.hpp"
+
+#include <GL/glew.h>
+
+#include <cstdio>
+
+namespace drapeau {
+
+namespace {
+
+void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message, const void* user) {
+    if (type != GL_DEBUG_TYPE_ERROR && type != GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR) return;
+    static_cast<GlErrors*>(const_cast<void*>(user))->add(message);
+}
+
+}  // namespace
+
+GlErrors::GlErrors(bool debug) {
+    while (glGetError() != GL_NO_ERROR) {
+    }  // loading the functions may leave one behind
+    if (!debug || !GLEW_KHR_debug) return;
+    glEnable(GL_DEBUG_OUTPUT);
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    glDebugMessageCallback(on_message, this);
+}
+
+void GlErrors::poll() {
+    for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
+        char text[40];
+        std::snprintf(text, sizeof text, "glGetError 0x%04x", error);
+        add(text);
+    }
+}
+
+void GlErrors::add(const char* message) {
+    ++count_;
+    std::fprintf(stderr, "drapeau: OpenGL: %s\n", message);
+}
+
+}  // namespace drapeau

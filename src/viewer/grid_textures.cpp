@@ -1,0 +1,71 @@
+#include "grid_textures.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace drapeau {
+
+GridTextures::GridTextures()
+    : x_(make_texture()),
+      y_(make_texture()),
+      z_(make_texture()),
+      triangles_(make_vertex_array()),
+      indices_(make_buffer()) {
+    for (const GLuint id : {x_.id(), y_.id(), z_.id()}) {
+        glBindTexture(GL_TEXTURE_2D, id);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    }
+}
+
+void GridTextures::upload(const Snapshot& snapshot) {
+    if (snapshot.columns != columns_ || snapshot.rows != rows_ || snapshot.stride != stride_) allocate(snapshot);
+    const auto send = [&](const GlTexture& texture, const std::vector<float>& values) {
+        glBindTexture(GL_TEXTURE_2D, texture.id());
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, stride_, rows_, GL_RED, GL_FLOAT, values.data());
+    };
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    send(x_, snapshot.x);
+    send(y_, snapshot.y);
+    send(z_, snapshot.z);
+}
+
+void GridTextures::allocate(const Snapshot& snapshot) {
+    columns_ = snapshot.columns;
+    rows_ = snapshot.rows;
+    stride_ = snapshot.stride;
+    for (const GLuint id : {x_.id(), y_.id(), z_.id()}) {
+        glBindTexture(GL_TEXTURE_2D, id);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, stride_, rows_, 0, GL_RED, GL_FLOAT, nullptr);
+    }
+
+    // Two triangles a cell, the cut alternating, so that no direction is favoured.
+    std::vector<std::uint32_t> indices;
+    indices.reserve(std::size_t(columns_) * std::size_t(rows_) * 6);
+    for (int row = 0; row + 1 < rows_; ++row)
+        for (int column = 0; column + 1 < columns_; ++column) {
+            const auto a = std::uint32_t(row * columns_ + column), b = a + 1;
+            const auto c = a + std::uint32_t(columns_), d = c + 1;
+            if ((row + column) % 2 == 0)
+                indices.insert(indices.end(), {a, c, b, b, c, d});
+            else
+                indices.insert(indices.end(), {a, c, d, a, d, b});
+        }
+    index_count_ = int(indices.size());
+    glBindVertexArray(triangles_.id());
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(std::uint32_t)), indices.data(),
+                 GL_STATIC_DRAW);
+    glBindVertexArray(0);
+}
+
+void GridTextures::bind() const {
+    GLenum unit = GL_TEXTURE0;
+    for (const GLuint id : {x_.id(), y_.id(), z_.id()}) {
+        glActiveTexture(unit++);
+        glBindTexture(GL_TEXTURE_2D, id);
+    }
+}
+
+}  // namespace drapeau

@@ -1,0 +1,114 @@
+#include "gui.hpp"
+
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <filesystem>
+#include <system_error>
+
+namespace drapeau {
+
+namespace {
+
+constexpr float font_height = 15.0f;  // window units
+
+// DejaVu Sans or what else is usually there; without any, ImGui's own small font.
+void load_font(float scale, float pixels_per_unit) {
+    static const ImWchar ranges[] = {0x20, 0xff, 0x2010, 0x2027, 0x2190, 0x2193, 0x2200, 0x2265, 0};
+    ImGuiIO& io = ImGui::GetIO();
+    for (const char* file :
+         {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
+          "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf", "/usr/share/fonts/TTF/DejaVuSans.ttf"}) {
+        std::error_code failure;
+        if (!std::filesystem::is_regular_file(file, failure)) continue;
+        ImFontConfig config;
+        config.OversampleH = 2;
+        config.OversampleV = 1;
+        if (!io.Fonts->AddFontFromFileTTF(file, font_height * scale * pixels_per_unit, &config, ranges)) continue;
+        io.FontGlobalScale = 1.0f / pixels_per_unit;
+        return;
+    }
+    io.Fonts->AddFontDefault();
+    io.FontGlobalScale = scale;
+}
+
+ImVec4 shade(unsigned rgb, float alpha = 1.0f) {
+    return {float(rgb >> 16 & 255u) / 255.0f, float(rgb >> 8 & 255u) / 255.0f, float(rgb & 255u) / 255.0f, alpha};
+}
+
+void set_style(float scale) {
+    ImGui::StyleColorsDark();
+    ImGuiStyle& style = ImGui::GetStyle();
+    style.WindowRounding = 8.0f;
+    style.FrameRounding = 4.0f;
+    style.GrabRounding = 4.0f;
+    style.PopupRounding = 5.0f;
+    style.ScrollbarRounding = 6.0f;
+    style.ScrollbarSize = 11.0f;
+    style.GrabMinSize = 9.0f;
+    style.WindowBorderSize = 0.0f;
+    style.PopupBorderSize = 1.0f;
+    style.WindowPadding = {14.0f, 12.0f};
+    style.FramePadding = {7.0f, 3.0f};
+    style.ItemSpacing = {7.0f, 5.0f};
+    style.ItemInnerSpacing = {6.0f, 4.0f};
+    ImVec4* colors = style.Colors;
+    colors[ImGuiCol_Text] = shade(0xe8ecf1);
+    colors[ImGuiCol_TextDisabled] = shade(0x93a0b0);
+    colors[ImGuiCol_WindowBg] = shade(0x161d27, 0.93f);
+    colors[ImGuiCol_PopupBg] = shade(0x1b2430, 0.98f);
+    colors[ImGuiCol_Border] = shade(0x3a4757);
+    colors[ImGuiCol_FrameBg] = shade(0x2a3543);
+    colors[ImGuiCol_FrameBgHovered] = shade(0x354354);
+    colors[ImGuiCol_FrameBgActive] = shade(0x3d4d61);
+    colors[ImGuiCol_Button] = shade(0x314052);
+    colors[ImGuiCol_ButtonHovered] = shade(0x3f5269);
+    colors[ImGuiCol_ButtonActive] = shade(0x4a6280);
+    colors[ImGuiCol_SliderGrab] = shade(0x6ea8e0);
+    colors[ImGuiCol_SliderGrabActive] = shade(0x8fc1f2);
+    colors[ImGuiCol_CheckMark] = shade(0x8fc1f2);
+    colors[ImGuiCol_Header] = shade(0x34506e);
+    colors[ImGuiCol_HeaderHovered] = shade(0x3f6187);
+    colors[ImGuiCol_HeaderActive] = shade(0x4a729e);
+    colors[ImGuiCol_Separator] = shade(0x36424f);
+    colors[ImGuiCol_ScrollbarBg] = shade(0x161d27, 0.0f);
+    colors[ImGuiCol_PlotHistogram] = shade(0x5fb98a);
+    colors[ImGuiCol_TextSelectedBg] = shade(0x3f6187);
+    style.ScaleAllSizes(scale);
+}
+
+}  // namespace
+
+Gui::Gui(GLFWwindow* window, float scale, float pixels_per_unit) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+    set_style(scale);
+    load_font(scale, pixels_per_unit);
+    ImGui_ImplGlfw_InitForOpenGL(window, true);
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+Gui::~Gui() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void Gui::begin(const GuiFrame& frame) {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {frame.size.x, frame.size.y};
+    io.DisplayFramebufferScale = {frame.pixels_per_unit, frame.pixels_per_unit};
+    if (frame.seconds > 0.0f) io.DeltaTime = frame.seconds;
+    ImGui::NewFrame();
+}
+
+void Gui::draw() {
+    ImGui::Render();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+}  // namespace drapeau

@@ -1,0 +1,29 @@
+// Gui: Dear ImGui's context, its font and its calm looks.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+struct GLFWwindow;
+
+namespace drapeau {
+
+/// What a frame is drawn into, where that is not the window itself.
+struct GuiFrame {
+    glm::vec2 size{0.0f};  // window units
+    float pixels_per_unit = 1.0f;
+    float seconds = 0.0f;  // since the last frame; 0: by the clock
+};
+
+class Gui {
+public:
+    /// `scale`: how much larger than usual text should be; `pixels_per_unit`: how finely glyphs are made.
+    Gui(GLFWwindow* window, float scale, float pixels_per_unit);
+    ~Gui();
+    Gui(const Gui&) = delete;
+    Gui& operator=(const Gui&) = delete;
+
+    void begin(const GuiFrame& frame);
+    void draw();  // into the framebuffer that is bound
+};
+
+}  // namespace drapeau

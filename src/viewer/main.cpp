@@ -1,0 +1,30 @@
+// drapeau: the window. Exit status 0 good, 2 bad input, 3 a run with --frames that diverged.
+#include "options.hpp"
+#include "viewer.hpp"
+
+#include "error.hpp"
+
+#include <cstdio>
+#include <exception>
+
+int main(int count, char** words) {
+    drapeau::Options options;
+    if (const auto status = drapeau::read_options(count, words, options)) return *status;
+    try {
+        drapeau::Viewer viewer(options);
+        while (viewer.running()) {
+            viewer.input();
+            viewer.exchange();
+            viewer.draw();
+            viewer.panels();
+            viewer.present();
+        }
+        return viewer.exit_status();
+    } catch (const drapeau::InputError& wrong) {
+        std::fprintf(stderr, "drapeau: %s\n", wrong.what());
+        return 2;
+    } catch (const std::exception& failure) {
+        std::fprintf(stderr, "drapeau: %s\n", failure.what());
+        return 1;
+    }
+}

@@ -1,0 +1,41 @@
+#include "pace.hpp"
+
+#include "simulation.hpp"
+
+#include <algorithm>
+
+namespace drapeau {
+
+namespace {
+
+constexpr int most_waiting = 3;        // batches in the queue at most: settings take effect at once
+constexpr double least_window = 0.25;  // s before a factor is shown
+constexpr double window = 1.0;         // s the averages run over
+
+}  // namespace
+
+int Pace::batches(double seconds, int backlog) {
+    owed_ += seconds;
+    const int due = int(owed_ / batch_seconds);
+    const int granted = std::clamp(due, 0, std::max(0, most_waiting - backlog));
+    owed_ -= granted * batch_seconds;
+    owed_ = std::min(owed_, batch_seconds);
+    return granted;
+}
+
+void Pace::observe(double wall, double simulated) {
+    if (!samples_.empty() && simulated < samples_.back().simulated) forget();
+    samples_.push_back({wall, simulated});
+    while (samples_.size() > 2 && wall - samples_.front().wall > window) samples_.pop_front();
+    const double span = wall - samples_.front().wall;
+    if (span < least_window) return;
+    factor_ = (simulated - samples_.front().simulated) / span;
+    frame_ = span / double(samples_.size() - 1);
+}
+
+void Pace::forget() {
+    samples_.clear();
+    factor_ = 0.0;
+}
+
+}  // namespace drapeau

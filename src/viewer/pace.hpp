@@ -1,0 +1,33 @@
+// Pace: how many batches a frame asks for so that simulated time follows the wall clock, and how well it does.
+// When the simulation cannot keep up, what could not be asked for is not caught up later: the flag slows down, and the
+// real-time factor says by how much.
+#pragma once
+
+#include <deque>
+
+namespace drapeau {
+
+class Pace {
+public:
+    /// Batches to ask for after `seconds` of wall-clock, with `backlog` batches not done yet.
+    int batches(double seconds, int backlog);
+
+    /// Called once a frame with the wall clock and the simulated time, both in s.
+    void observe(double wall, double simulated);
+
+    /// Simulated seconds per second over the last second; 0 until known.
+    double real_time_factor() const { return factor_; }
+    double frame_seconds() const { return frame_; }  // averaged likewise
+
+    void forget();  // after a pause or a new run
+
+private:
+    struct Sample {
+        double wall, simulated;
+    };
+    double owed_ = 0.0;  // s of wall-clock not yet asked for
+    double factor_ = 0.0, frame_ = 0.0;
+    std::deque<Sample> samples_;
+};
+
+}  // namespace drapeau

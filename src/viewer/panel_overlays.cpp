@@ -1,0 +1,129 @@
+// What lies over the picture: the message, the list of keys, the scale of the force colours.
+#include "panels.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace drapeau {
+
+namespace {
+
+constexpr ImGuiWindowFlags box_flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                       ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
+                                       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
+
+constexpr const char* keys[][2] = {{"Left drag", "turn"},
+                                   {"Right drag", "move"},
+                                   {"Wheel, + and -", "closer, further"},
+                                   {"Double click, Home", "the first view"},
+                                   {"Arrows", "turn"},
+                                   {"Space", "pause, go on"},
+                                   {".", "one step"},
+                                   {"R", "restart"},
+                                   {"T", "texture"},
+                                   {"S", "springs"},
+                                   {"D", "diagonal springs"},
+                                   {"F", "force colours"},
+                                   {"M", "masses"},
+                                   {"C", "cloth"},
+                                   {"H", "hide the panel"},
+                                   {"P", "screenshot"},
+                                   {"F1", "this list"},
+                                   {"Esc", "close what is open"},
+                                   {"Ctrl Q", "quit"},
+                                   {"Drop a file", "an image or a scene"}};
+
+void claim_window(Session& session) {
+    const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    session.claimed.push_back({low.x, low.y, low.x + size.x, low.y + size.y});
+}
+
+}  // namespace
+
+void draw_message(Session& session, Widgets& widgets) {
+    Message& message = session.message;
+    if (message.text.empty()) return;
+    const Area& view = session.view_area;
+    const float width = std::min(620.0f, view.width() - 40.0f);
+    ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, view.y0 + 14.0f}, ImGuiCond_Always, {0.5f, 0.0f});
+    ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {width, 1e4f});
+    ImGui::Begin("message", nullptr, box_flags);
+    const ImVec4 color = message.trouble ? ImVec4(1.0f, 0.72f, 0.45f, 1.0f) : ImVec4(0.66f, 0.90f, 0.72f, 1.0f);
+    ImGui::PushTextWrapPos(width - 30.0f);
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(message.text.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    const auto& divergence = session.status.divergence;
+    if (divergence && divergence->safe_dt > 0.0) {
+        if (widgets.button("Use the safe step", "Takes 0.9 of the limit and goes on from the last good frame."))
+            session.wishes.use_safe_step = true;
+        ImGui::SameLine();
+    }
+    const bool closed = widgets.button("Close", "Key Esc");
+    claim_window(session);
+    ImGui::End();
+    if (message.seconds_left > 0.0) {
+        message.seconds_left -= double(ImGui::GetIO().DeltaTime);
+        if (message.seconds_left <= 0.0) message.text.clear();
+    }
+    if (closed) message.text.clear();
+}
+
+void draw_help(Session& session, Widgets& widgets) {
+    if (!session.help_shown) return;
+    const Area& view = session.view_area;
+    ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, (view.y0 + view.y1) / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::Begin("keys", nullptr, box_flags);
+    const float second = ImGui::CalcTextSize("Double click, Home   ").x + ImGui::GetStyle().WindowPadding.x;
+    for (const auto& [key, meaning] : keys) {
+        ImGui::TextUnformatted(key);
+        ImGui::SameLine(second);
+        ImGui::TextDisabled("%s", meaning);
+    }
+    ImGui::Spacing();
+    if (widgets.button("Close keys", "Key Esc")) session.help_shown = false;
+    claim_window(session);
+    ImGui::End();
+}
+
+void draw_legend(const Session& session) {
+    const Area& view = session.view_area;
+    const float scale = ImGui::GetFontSize() / 15.0f;
+    const float width = std::min(300.0f * scale, view.width() - 60.0f), height = 12.0f * scale;
+    const float line = ImGui::GetTextLineHeight();
+    const float left = (view.x0 + view.x1 - width) / 2.0f, top = view.y1 - 46.0f * scale;
+    ImDrawList* list = ImGui::GetBackgroundDrawList();
+    const ImU32 back = IM_COL32(22, 29, 39, 225), text = IM_COL32(232, 236, 241, 255);
+    list->AddRectFilled({left - 18.0f * scale, top - line - 14.0f * scale},
+                        {left + width + 18.0f * scale, view.y1 - 10.0f * scale}, back, 8.0f * scale);
+    list->AddText({left, top - line - 5.0f * scale}, text, "Force of a spring, |k (l - L)|");
+
+    // The shader mixes linear light; steps of the same mixture, as sRGB.
+    constexpr int steps = 24;
+    const auto srgb = [](float linear) {
+        return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+    };
+    const auto color_at = [&](int step) {
+        const float t = float(step) / steps;
+        const ImVec4 color(srgb(1.0f - 0.20f * t), srgb(1.0f - t), srgb(1.0f - 0.985f * t), 1.0f);
+        return ImGui::ColorConvertFloat4ToU32(color);
+    };
+    for (int step = 0; step < steps; ++step) {
+        const float x0 = left + width * float(step) / steps, x1 = left + width * float(step + 1) / steps;
+        list->AddRectFilledMultiColor({x0, top}, {x1, top + height}, color_at(step), color_at(step + 1),
+                                      color_at(step + 1), color_at(step));
+    }
+    char low[16] = "0 N", middle[40], high[40];
+    std::snprintf(middle, sizeof middle, "%.3g N", session.status.force_scale / 2.0);
+    std::snprintf(high, sizeof high, "%.3g N", session.status.force_scale);
+    const float under = top + height + 3.0f * scale;
+    list->AddText({left, under}, text, low);
+    list->AddText({left + (width - ImGui::CalcTextSize(middle).x) / 2.0f, under}, text, middle);
+    list->AddText({left + width - ImGui::CalcTextSize(high).x, under}, text, high);
+}
+
+}  // namespace drapeau

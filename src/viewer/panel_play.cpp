@@ -1,0 +1,60 @@
+// The panel's head: which scene, its clock, and what of it is seen.
+#include "panels.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace drapeau {
+
+namespace {
+
+void choose_scene(Session& session, Widgets& widgets) {
+    const auto stem = session.scene_file.stem().string();
+    const auto found = std::find(session.scene_names.begin(), session.scene_names.end(), stem);
+    std::vector<std::string> names = session.scene_names;
+    int index = int(found - session.scene_names.begin());
+    if (found == session.scene_names.end()) names.push_back(stem);
+    const std::string tip = "Scene files set everything at once. Drop one on the window to open it.";
+    if (widgets.choice("Scene", index, names, -1, tip.c_str())) session.wishes.load_scene = names[std::size_t(index)];
+}
+
+void choose_view(Session& session, Widgets& widgets) {
+    ViewSettings& view = session.scene.view;
+    const float half = ImGui::GetContentRegionAvail().x * 0.5f;
+    widgets.toggle("Texture", view.texture, "The image on the flag; off: plain cloth. Key T");
+    ImGui::SameLine(half);
+    widgets.toggle("Springs", view.springs, "Every spring as a line. Key S");
+
+    bool diagonals = session.scene.springs.diagonal_stiffness.has_value();
+    if (widgets.toggle("Diagonals", diagonals,
+                       "Diagonal springs, computed and drawn: they keep the cloth from shearing and cost twice the "
+                       "springs. Key D"))
+        toggle_diagonals(session);
+    ImGui::SameLine(half);
+    widgets.toggle("Force colours", view.forces,
+                   "Each spring's force from white to red, with a scale in newtons below the flag. Key F");
+    widgets.toggle("Masses", view.masses, "Every mass as a point. Key M");
+    ImGui::SameLine(half);
+    widgets.toggle("Cloth", view.cloth, "The surface between the masses. Key C");
+}
+
+}  // namespace
+
+void draw_play(Session& session, Widgets& widgets) {
+    choose_scene(session, widgets);
+    const float spacing = ImGui::GetStyle().ItemSpacing.x;
+    const float third = (ImGui::GetContentRegionAvail().x - 2.0f * spacing) / 3.0f;
+    if (widgets.button(session.paused ? "Go on###pause" : "Pause###pause",
+                       "Stops the clock, and with it the wind. Key Space", third))
+        session.paused = !session.paused;
+    ImGui::SameLine();
+    if (widgets.button("Step", "One step of the method, while paused. Key .", third)) session.wishes.step = true;
+    ImGui::SameLine();
+    if (widgets.button("Restart", "From the scene's start, with the settings as they are. Key R", third))
+        session.wishes.restart = true;
+    ImGui::Spacing();
+    choose_view(session, widgets);
+}
+
+}  // namespace drapeau

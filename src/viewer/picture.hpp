@@ -1,0 +1,50 @@
+// Picture: what a frame shows besides the masses, as plain data. Made from the settings by main, drawn by the renderer.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+namespace drapeau {
+
+struct Rod {
+    glm::vec3 from{0.0f}, to{0.0f};
+    float radius = 0.02f;   // m
+    glm::vec3 color{0.5f};  // linear
+};
+
+struct Ball {
+    glm::vec3 centre{0.0f};
+    float radius = 0.04f;  // m
+    glm::vec3 color{0.5f};
+};
+
+/// What holds the flag and what it stands on.
+struct Stage {
+    std::vector<Rod> rods;
+    std::vector<Ball> balls;
+    bool ground = true;
+    float ground_height = -2.0f;      // m
+    glm::vec3 low{0.0f}, high{0.0f};  // a box around what may cast a shadow
+};
+
+struct Picture {
+    glm::mat4 view{1.0f}, projection{1.0f};
+    glm::vec3 eye{0.0f};
+    bool cloth = true;
+    bool texture = true;
+    bool springs = false;
+    bool diagonals = false;
+    bool forces = false;
+    bool masses = false;
+    glm::vec2 cell{0.1f};          // m, rest lengths along the fly and the hoist
+    float stiffness = 1.0f;        // N/m
+    float diagonal_stiffness = 0;  // N/m
+    float force_scale = 1.0f;      // N, of the reddest colour
+    float pixel_scale = 1.0f;      // pixels of the picture per unit of line width
+    Stage stage;
+};
+
+}  // namespace drapeau

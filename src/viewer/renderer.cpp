@@ -1,0 +1,53 @@
+#include "renderer.hpp"
+
+namespace drapeau {
+
+Renderer::Renderer() : block_(make_buffer()) {
+    glBindBuffer(GL_UNIFORM_BUFFER, block_.id());
+    glBufferData(GL_UNIFORM_BUFFER, sizeof(FrameBlock), nullptr, GL_DYNAMIC_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, block_.id());
+}
+
+void Renderer::send(const FrameBlock& block) {
+    glBindBuffer(GL_UNIFORM_BUFFER, block_.id());
+    glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof block, &block);
+}
+
+void Renderer::draw_shadow(const Picture& picture, glm::vec2 size) {
+    send(frame_block(picture, size));
+    grid_.bind();
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_DEPTH_TEST);
+    backdrop_.begin_shadow();
+    if (picture.cloth) cloth_.draw_shadow(grid_);
+    solids_.draw_shadow(picture.stage);
+    backdrop_.end_shadow();
+}
+
+void Renderer::draw_scene(const Picture& picture, glm::vec2 size) {
+    send(frame_block(picture, size));
+    grid_.bind();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glDepthMask(GL_TRUE);
+    glClear(GL_DEPTH_BUFFER_BIT);
+
+    // Opaque things first, so that the backdrop is computed only where it shows.
+    if (picture.cloth) cloth_.draw(grid_, picture, texture_);
+    solids_.draw(picture.stage);
+    backdrop_.draw();
+
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+    const bool chain = grid_.columns() == 1 || grid_.rows() == 1;
+    if (picture.springs || picture.forces || chain) springs_.draw(grid_, picture);
+    if (picture.masses || chain) masses_.draw(grid_, picture);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+}
+
+}  // namespace drapeau

@@ -1,0 +1,40 @@
+// Renderer: draws a picture of the masses. It knows positions, rest lengths and stiffnesses to colour by, no physics.
+#pragma once
+
+#include "cloth_pass.hpp"
+#include "backdrop_pass.hpp"
+#include "flag_texture.hpp"
+#include "frame_block.hpp"
+#include "grid_textures.hpp"
+#include "mass_pass.hpp"
+#include "picture.hpp"
+#include "solid_pass.hpp"
+#include "spring_pass.hpp"
+
+namespace drapeau {
+
+class Renderer {
+public:
+    Renderer();
+
+    void upload(const Snapshot& snapshot) { grid_.upload(snapshot); }
+    FlagTexture& texture() { return texture_; }
+
+    /// The shadow's texture, drawn before the scene; leaves another framebuffer bound.
+    void draw_shadow(const Picture& picture, glm::vec2 size);
+    void draw_scene(const Picture& picture, glm::vec2 size);
+
+private:
+    void send(const FrameBlock& block);
+
+    GlBuffer block_;
+    GridTextures grid_;
+    FlagTexture texture_;
+    ClothPass cloth_;
+    SolidPass solids_;
+    SpringPass springs_;
+    MassPass masses_;
+    BackdropPass backdrop_;
+};
+
+}  // namespace drapeau

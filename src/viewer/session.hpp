@@ -1,0 +1,86 @@
+// Session: what the window is about, as plain data. Panels and keys edit it and leave wishes; main carries them out.
+#pragma once
+
+#include "camera.hpp"
+#include "drapeau/scene.hpp"
+#include "simulation.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace drapeau {
+
+/// What panels and keys ask main to do after this frame.
+struct Wishes {
+    bool step = false;
+    bool restart = false;
+    bool screenshot = false;
+    bool reset_camera = false;
+    bool use_safe_step = false;
+    std::optional<std::string> load_scene;    // a path or a shipped name
+    std::optional<std::string> load_texture;  // a path; empty: no image
+    std::optional<std::string> save_scene;    // a path
+};
+
+/// The message box: what went wrong or was done.
+struct Message {
+    std::string text;
+    bool trouble = true;
+    double seconds_left = 0.0;  // it goes by itself; 0: it stays until closed
+};
+
+/// What the panels show of the run.
+struct Status {
+    Readings readings;
+    std::optional<Divergence> divergence;
+    double time = 0.0;  // s, simulated
+    long long steps = 0;
+    int columns = 0, rows = 0;
+    double dt = 0.0;  // s
+    int steps_per_batch = 0;
+    double stability_limit = 0.0;  // s
+    double force_scale = 1.0;      // N
+    bool clock = true;             // false: wall-clock readings are not shown, so that pictures repeat
+    double real_time_factor = 0.0;
+    double step_seconds = 0.0;      // wall-clock
+    double frame_seconds = 0.0;     // wall-clock
+    double flag_proportions = 0.0;  // of the texture, width / height; 0 without one
+};
+
+struct Session {
+    Scene scene;   // what the controls edit
+    Scene origin;  // as it was loaded: what the controls go back to
+    std::filesystem::path scene_file;
+    std::filesystem::path texture_file;  // of the image on the flag; empty: none
+    std::vector<std::string> scene_names;
+    std::vector<std::filesystem::path> texture_files;
+
+    double diagonal_stiffness = 100.0;  // N/m; kept while diagonal springs are off
+
+    bool paused = false;
+    bool panel_shown = true;
+    bool help_shown = false;
+    Message message;
+    Status status;
+    Wishes wishes;
+
+    // What the panels took of the window in this frame, in window units.
+    Area panel_area;
+    Area view_area;
+    std::vector<Area> claimed;  // no drag that begins here turns the flag
+};
+
+inline void say(Session& session, const std::string& text, bool trouble) {
+    session.message = {.text = text, .trouble = trouble, .seconds_left = trouble ? 0.0 : 5.0};
+}
+
+/// Diagonal springs off, or on as stiff as they last were.
+inline void toggle_diagonals(Session& session) {
+    auto& stiffness = session.scene.springs.diagonal_stiffness;
+    if (stiffness) session.diagonal_stiffness = *stiffness;
+    stiffness = stiffness ? std::nullopt : std::optional(session.diagonal_stiffness);
+}
+
+}  // namespace drapeau

@@ -1,0 +1,49 @@
+#include "spring_pass.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace drapeau {
+
+void SpringPass::draw(const GridTextures& grid, const Picture& picture) const {
+    const bool on_texture = picture.cloth && picture.texture && !picture.forces;
+    shader_.use();
+    glBindVertexArray(nothing_.id());
+    shader_.set("by_force", picture.forces ? 1 : 0);
+    shader_.set("force_scale", picture.force_scale);
+    shader_.set("lift", 0.12f * std::min(picture.cell.x, picture.cell.y));
+
+    const bool chain = grid.columns() == 1 || grid.rows() == 1;
+    const glm::vec3 dark(0.012f, 0.015f, 0.022f), light(0.93f, 0.92f, 0.88f);
+    shader_.set("color", on_texture && !chain ? dark : light);
+    if (chain) shader_.set("color", dark);
+
+    // Diagonals first, thinner: the structure stays readable on top.
+    if (picture.diagonals) {
+        shader_.set("width", picture.forces ? 1.5f : 1.1f);
+        shader_.set("opacity", picture.forces ? 1.0f : 0.55f);
+        const float diagonal = glm::length(picture.cell);
+        draw_kind(grid, {1, 1}, diagonal, picture.diagonal_stiffness);
+        draw_kind(grid, {-1, 1}, diagonal, picture.diagonal_stiffness);
+    }
+    shader_.set("width", chain ? 2.6f : 1.9f);
+    shader_.set("opacity", on_texture && !chain ? 0.8f : 1.0f);
+    draw_kind(grid, {1, 0}, picture.cell.x, picture.stiffness);
+    draw_kind(grid, {0, 1}, picture.cell.y, picture.stiffness);
+}
+
+/// Every spring from a mass to the one `offset` columns and rows further.
+void SpringPass::draw_kind(const GridTextures& grid, glm::ivec2 offset, float rest, float stiffness) const {
+    const int per_row = grid.columns() - std::abs(offset.x);
+    const int rows = grid.rows() - offset.y;
+    if (per_row <= 0 || rows <= 0) return;
+    shader_.set("offset", offset);
+    shader_.set("per_row", per_row);
+    shader_.set("rest", rest);
+    shader_.set("stiffness", stiffness);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, per_row * rows);
+}
+
+}  // namespace drapeau

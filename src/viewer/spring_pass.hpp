@@ -1,0 +1,24 @@
+// Springs as lines of constant width on the screen, a quad each, coloured by their force if wished.
+#pragma once
+
+#include "gl_objects.hpp"
+#include "grid_textures.hpp"
+#include "picture.hpp"
+#include "shader.hpp"
+
+namespace drapeau {
+
+class SpringPass {
+public:
+    SpringPass() : nothing_(make_vertex_array()) {}
+
+    void draw(const GridTextures& grid, const Picture& picture) const;
+
+private:
+    void draw_kind(const GridTextures& grid, glm::ivec2 offset, float rest, float stiffness) const;
+
+    Shader shader_{"spring"};
+    GlVertexArray nothing_;
+};
+
+}  // namespace drapeau

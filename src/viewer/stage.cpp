@@ -1,0 +1,98 @@
+#include "stage.hpp"
+
+#include <algorithm>
+
+namespace drapeau {
+
+namespace {
+
+const glm::vec3 metal(0.55f, 0.57f, 0.60f);
+const glm::vec3 gold(0.83f, 0.56f, 0.16f);
+
+struct Extent {
+    float width, height, size;
+};
+
+Extent extent_of(const FlagSettings& flag) {
+    const float width = flag.columns > 1 ? float(flag.width) : 0.0f;
+    const float height = flag.rows > 1 ? float(flag.height) : 0.0f;
+    return {width, height, std::max({width, height, 0.05f})};
+}
+
+void add_rod(Stage& stage, glm::vec3 from, glm::vec3 to, float radius) {
+    stage.rods.push_back({.from = from, .to = to, .radius = radius, .color = metal});
+}
+
+void add_finial(Stage& stage, glm::vec3 top, float radius) {
+    stage.balls.push_back(
+        {.centre = top + glm::vec3(0.0f, 1.4f * radius, 0.0f), .radius = 2.2f * radius, .color = gold});
+    stage.balls.push_back(
+        {.centre = top - glm::vec3(0.0f, 0.4f * radius, 0.0f), .radius = 1.35f * radius, .color = gold});
+}
+
+void add_post(Stage& stage, float x, float z, float top, float radius) {
+    add_rod(stage, {x, stage.ground_height, z}, {x, top, z}, radius);
+    add_finial(stage, {x, top, z}, radius);
+}
+
+// A bar over the flag's width between two posts.
+void add_gallows(Stage& stage, const Extent& e, float radius) {
+    const float left = -0.10f * e.size, right = e.width + 0.10f * e.size;
+    add_post(stage, left, 0.0f, 0.10f * e.size, radius);
+    add_post(stage, right, 0.0f, 0.10f * e.size, radius);
+    add_rod(stage, {left, radius, 0.0f}, {right, radius, 0.0f}, radius);
+}
+
+void add_frame(Stage& stage, const Extent& e, float radius) {
+    add_gallows(stage, e, radius);
+    const float left = -radius, right = e.width + radius, low = -e.height - radius, high = radius;
+    add_rod(stage, {left, low, 0.0f}, {right, low, 0.0f}, 0.7f * radius);
+    add_rod(stage, {left, low, 0.0f}, {left, high, 0.0f}, 0.7f * radius);
+    add_rod(stage, {right, low, 0.0f}, {right, high, 0.0f}, 0.7f * radius);
+    for (const float y : {low, high - 2.0f * radius}) {
+        add_rod(stage, {left, y, 0.0f}, {-0.10f * e.size, y, 0.0f}, 0.5f * radius);
+        add_rod(stage, {right, y, 0.0f}, {e.width + 0.10f * e.size, y, 0.0f}, 0.5f * radius);
+    }
+}
+
+}  // namespace
+
+Stage stage_of(const FlagSettings& flag) {
+    const Extent e = extent_of(flag);
+    const float radius = std::clamp(0.014f * e.size, 0.002f, 0.05f);
+    Stage stage;
+    stage.ground = flag.attach != Attach::none;
+    stage.ground_height = -e.height - 0.62f * std::max(e.size, 0.6f * e.width + 0.4f * e.height);
+    switch (flag.attach) {
+        case Attach::hoist:
+        case Attach::grommets:
+        case Attach::corner:
+            add_post(stage, -radius, 0.0f, 0.07f * e.size, radius);
+            break;
+        case Attach::top:
+            add_gallows(stage, e, radius);
+            break;
+        case Attach::edges:
+        case Attach::all:
+            add_frame(stage, e, radius);
+            break;
+        case Attach::none:
+            break;
+    }
+    const float reach = 0.25f * e.size;
+    stage.low = {-reach, stage.ground_height, -0.5f * e.size};
+    stage.high = {e.width + reach, 0.16f * e.size, 0.5f * e.size};
+    return stage;
+}
+
+Framing framing_of(const FlagSettings& flag, const Stage& stage) {
+    const Extent e = extent_of(flag);
+    const float top = 0.22f * e.size;
+    const float bottom = -e.height - 0.46f * e.size;
+    return {.centre = {0.5f * e.width, 0.5f * (top + bottom), 0.0f},
+            .width = e.width + 0.55f * e.size,
+            .height = top - bottom,
+            .ground = stage.ground ? stage.ground_height : -1e9f};
+}
+
+}  // namespace drapeau

@@ -1,0 +1,245 @@
+#include "viewer.hpp"
+
+#include "stage.hpp"
+
+#include "error.hpp"
+#include "scene_file.hpp"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <thread>
+
+namespace drapeau {
+
+namespace {
+
+constexpr int samples = 4;                      // a pixel
+constexpr int settling_frames = 4;              // pictures ImGui needs to lay its boxes out
+constexpr double least_frame_seconds = 0.008;   // where the display does not hold the loop back
+constexpr double longest_frame_seconds = 0.25;  // a pause of the whole program is not caught up
+
+bool debug_wanted() {
+    const char* debug = std::getenv("DRAPEAU_GL_DEBUG");
+    return std::getenv("DRAPEAU_UI_MAP") || (debug && *debug && *debug != '0');
+}
+
+WindowSettings window_settings(const Options& options) {
+    const bool into_files = options.frames > 0 && !(options.screenshot.empty() && options.film.empty());
+    return {.width = options.width,
+            .height = options.height,
+            .visible = !into_files,
+            .debug = debug_wanted(),
+            .vsync = options.frames == 0};
+}
+
+float pixels_per_unit(const Window& window) {
+    return float(window.framebuffer_size().x) / float(std::max(1, window.size().x));
+}
+
+void preset_view(const Options& options, ViewSettings& view) {
+    if (options.springs) view.springs = true;
+    if (options.forces) view.forces = true;
+    if (options.masses) view.masses = true;
+    if (options.no_texture) view.texture = false;
+}
+
+LoadedScene loaded_for(const Options& options) {
+    LoadedScene loaded = load_scene(options.scene);
+    if (!options.texture.empty()) {
+        loaded.texture_file = find_image(options.texture);
+        loaded.image = load_image(loaded.texture_file);
+        loaded.scene.flag.texture = texture_name(loaded.texture_file);
+    }
+    preset_view(options, loaded.scene.view);
+    return loaded;
+}
+
+// What the simulation cares for: a change of anything else is not worth its while.
+Scene physics_of(Scene scene) {
+    scene.view = {};
+    scene.name.clear();
+    scene.flag.texture.clear();
+    return scene;
+}
+
+}  // namespace
+
+Viewer::Viewer(const Options& options) : Viewer(options, loaded_for(options)) {}
+
+Viewer::Viewer(const Options& options, LoadedScene loaded)
+    : options_(options),
+      window_(window_settings(options)),
+      gl_errors_(debug_wanted()),
+      gui_(window_.handle(), options.frames > 0 ? 1.0f : window_.content_scale(),
+           options.frames > 0 ? 1.0f : pixels_per_unit(window_)),
+      canvas_(options.frames > 0 ? options.width : window_.framebuffer_size().x,
+              options.frames > 0 ? options.height : window_.framebuffer_size().y, samples),
+      simulation_(Simulation(loaded.scene)) {
+    if (!options.film.empty()) film_ = std::make_unique<Film>(options.film, options.width, options.height, 60);
+    session_.scene_names = shipped_scenes();
+    session_.texture_files = shipped_images();
+    session_.panel_shown = !options.hide_ui;
+    session_.status.clock = !repeatable();
+    if (options.azimuth) camera_.azimuth = *options.azimuth;
+    if (options.elevation) camera_.elevation = *options.elevation;
+    adopt(loaded);
+    sent_ = session_.scene;
+    last_time_ = glfwGetTime();
+}
+
+bool Viewer::running() const {
+    return window_.open() && !controls_.wants_to_quit() && (!repeatable() || frame_ < options_.frames);
+}
+
+glm::vec2 Viewer::size() const {
+    if (repeatable()) return {float(options_.width), float(options_.height)};
+    return glm::vec2(window_.size());
+}
+
+// A hidden window needs no picture of frames that nobody will see.
+bool Viewer::picture_wanted() const {
+    const bool last = frame_ + settling_frames >= options_.frames;
+    return !repeatable() || last || film_ || options_.screenshot.empty() || map_.wanted();
+}
+
+void Viewer::input() {
+    const std::vector<InputEvent> events = window_.poll();
+    if (!repeatable()) canvas_.resize(window_.framebuffer_size().x, window_.framebuffer_size().y);
+    const float pixels = float(canvas_.width()) / std::max(1.0f, size().x);
+    gui_.begin({.size = size(), .pixels_per_unit = pixels, .seconds = repeatable() ? 1.0f / 60.0f : 0.0f});
+    lay_out(session_, size().x, size().y, repeatable() ? 1.0f : window_.content_scale());
+    const ImGuiIO& io = ImGui::GetIO();
+    controls_.apply(events, {.mouse = io.WantCaptureMouse, .keyboard = io.WantTextInput}, framing_, session_, camera_);
+    if (session_.wishes.reset_camera) camera_.reset();
+}
+
+void Viewer::exchange() {
+    const double now = glfwGetTime();
+    const double passed = std::min(now - last_time_, longest_frame_seconds);
+    last_time_ = now;
+    wall_ += passed;
+
+    load_wanted();
+    send_settings();
+    if (session_.wishes.step && session_.paused) simulation_.ask_step();
+    session_.wishes = {
+        .screenshot = session_.wishes.screenshot, .load_scene = {}, .load_texture = {}, .save_scene = {}};
+    if (!session_.paused && !session_.status.divergence)
+        simulation_.ask_batches(repeatable() ? 1 : pace_.batches(passed, simulation_.backlog()));
+    if (repeatable()) simulation_.wait();
+    receive(passed);
+}
+
+// Files that cannot be used leave everything as it was, with a message.
+void Viewer::load_wanted() {
+    const Wishes wishes = session_.wishes;
+    try {
+        if (wishes.load_texture) {
+            const bool none = wishes.load_texture->empty();
+            const auto file = none ? std::filesystem::path() : find_image(*wishes.load_texture);
+            set_image(file, none ? std::nullopt : std::optional(load_image(file)));
+            session_.scene.flag.texture = texture_name(file);
+            if (!none) session_.scene.view.texture = true;
+        }
+        if (wishes.load_scene) opening_ = load_scene(*wishes.load_scene);
+        if (wishes.save_scene) say(session_, "Saved " + save_scene(session_.scene, *wishes.save_scene).string(), false);
+    } catch (const InputError& wrong) {
+        say(session_, wrong.what(), true);
+    }
+    if (wishes.load_scene && opening_) simulation_.restart(opening_->scene, ++revision_);
+    if (session_.wishes.use_safe_step && session_.status.divergence)
+        session_.scene.time.dt = session_.status.divergence->safe_dt;
+}
+
+void Viewer::send_settings() {
+    if (opening_) return;
+    keep_proportions();
+    const bool changed = physics_of(session_.scene) != physics_of(sent_);
+    if (session_.wishes.restart)
+        simulation_.restart(session_.scene, ++revision_);
+    else if (changed)
+        simulation_.apply(session_.scene, ++revision_);
+    if (session_.wishes.restart || changed) sent_ = session_.scene;
+}
+
+void Viewer::keep_proportions() {
+    const double proportions = std::clamp(session_.status.flag_proportions, 0.2, 5.0);
+    if (session_.scene.view.texture_proportions && session_.status.flag_proportions > 0.0)
+        session_.scene.flag.width = session_.scene.flag.height * proportions;
+}
+
+void Viewer::adopt(const LoadedScene& loaded) {
+    session_.scene = session_.origin = loaded.scene;
+    session_.scene_file = loaded.file;
+    session_.diagonal_stiffness =
+        loaded.scene.springs.diagonal_stiffness.value_or(0.5 * loaded.scene.springs.stiffness);
+    set_image(loaded.texture_file, loaded.image);
+    window_.set_title("drapeau \xe2\x80\x93 " + loaded.scene.name);
+}
+
+void Viewer::set_image(const std::filesystem::path& file, const std::optional<Image>& image) {
+    if (image)
+        renderer_.texture().load(*image);
+    else
+        renderer_.texture().clear();
+    session_.texture_file = file;
+    session_.status.flag_proportions = image ? double(image->width) / double(image->height) : 0.0;
+}
+
+void Viewer::receive(double passed) {
+    Status& status = session_.status;
+    const bool had_diverged = status.divergence.has_value();
+    if (simulation_.take(moment_)) {
+        // A refused scene leaves the old one in place, on the panel too.
+        if (moment_.refused_revision == revision_) {
+            say(session_, moment_.refusal, true);
+            refusal_shown_ = true;
+            opening_.reset();
+            Scene kept = moment_.scene;
+            kept.view = session_.scene.view;
+            kept.name = session_.scene.name;
+            kept.flag.texture = session_.scene.flag.texture;
+            session_.scene = sent_ = kept;
+        } else if (moment_.revision == revision_) {
+            if (refusal_shown_) session_.message.text.clear();
+            refusal_shown_ = false;
+            if (opening_) {
+                adopt(*opening_);
+                sent_ = session_.scene;
+                camera_.reset();
+                opening_.reset();
+            }
+        }
+        renderer_.upload(moment_.snapshot);
+        force_scale_.follow(moment_.snapshot, moment_.scene);
+        status.readings = moment_.readings;
+        status.divergence = moment_.divergence;
+        status.time = moment_.snapshot.time;
+        status.steps = moment_.snapshot.steps;
+        status.columns = moment_.snapshot.columns;
+        status.rows = moment_.snapshot.rows;
+        status.dt = moment_.dt;
+        status.steps_per_batch = moment_.steps_per_batch;
+        status.stability_limit = moment_.stability_limit;
+        status.step_seconds = moment_.step_seconds;
+        status.force_scale = force_scale_.newtons();
+    }
+    if (status.divergence && !had_diverged) {
+        say(session_, status.divergence->message, true);
+        if (repeatable()) std::fprintf(stderr, "drapeau: %s\n", status.divergence->message.c_str());
+    }
+    if (!status.divergence && had_diverged) session_.message.text.clear();
+    if (session_.paused || status.divergence)
+        pace_.forget();
+    else
+        pace_.observe(wall_, status.time);
+    status.real_time_factor = pace_.real_time_factor();
+    status.frame_seconds += (passed - status.frame_seconds) * (status.frame_seconds > 0.0 ? 0.05 : 1.0);
+}
+
+}  // namespace drapeau

@@ -1,0 +1,85 @@
+// Viewer: the parts of the window and what passes between them; a frame is input, exchange, draw, panels, present.
+#pragma once
+
+#include "camera.hpp"
+#include "canvas.hpp"
+#include "controls.hpp"
+#include "film.hpp"
+#include "force_scale.hpp"
+#include "gl_errors.hpp"
+#include "gui.hpp"
+#include "library.hpp"
+#include "options.hpp"
+#include "pace.hpp"
+#include "panels.hpp"
+#include "renderer.hpp"
+#include "session.hpp"
+#include "simulation_thread.hpp"
+#include "ui_map.hpp"
+#include "window.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace drapeau {
+
+class Viewer {
+public:
+    explicit Viewer(const Options& options);
+
+    bool running() const;
+    void input();     // mouse and keys, to camera and settings
+    void exchange();  // settings to the simulation, its newest moment back
+    void draw();      // the scene
+    void panels();    // the interface upon it
+    void present();   // to the window and to files
+
+    int exit_status() const { return session_.status.divergence && options_.frames > 0 ? 3 : 0; }
+
+private:
+    Viewer(const Options& options, LoadedScene loaded);
+
+    bool repeatable() const { return options_.frames > 0; }
+    bool picture_wanted() const;
+    glm::vec2 size() const;
+    Picture picture() const;
+
+    void load_wanted();
+    void send_settings();
+    void adopt(const LoadedScene& loaded);
+    void set_image(const std::filesystem::path& file, const std::optional<Image>& image);
+    void receive(double wall_seconds);
+    void keep_proportions();
+    void take_screenshot(const std::filesystem::path& file);
+    void write_map();
+
+    Options options_;
+    UiMap map_;
+    Window window_;
+    GlErrors gl_errors_;
+    Gui gui_;
+    Canvas canvas_;
+    Renderer renderer_;
+    SimulationThread simulation_;
+    std::unique_ptr<Film> film_;
+
+    Session session_;
+    PanelMemory panel_memory_;
+    Controls controls_;
+    Camera camera_;
+    Framing framing_;
+    Pace pace_;
+    ForceScale force_scale_;
+
+    Moment moment_;
+    Scene sent_;              // the scene the simulation was last given
+    long long revision_ = 0;  // of sent_
+    bool refusal_shown_ = false;
+    std::optional<LoadedScene> opening_;  // until the simulation has taken it
+
+    int frame_ = 0;
+    double last_time_ = 0.0;  // s of wall-clock
+    double wall_ = 0.0;       // s of wall-clock since the start
+};
+
+}  // namespace drapeau

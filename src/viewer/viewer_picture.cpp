@@ -1,0 +1,161 @@
+// The viewer's other half: from the newest moment to the picture, the panels and the files.
+#include "viewer.hpp"
+
+#include "stage.hpp"
+
+#include "error.hpp"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+namespace drapeau {
+
+namespace {
+
+constexpr double least_frame_seconds = 0.008;  // where the display does not hold the loop back
+
+glm::vec3 middle_of(const Snapshot& s) {
+    glm::dvec3 sum(0.0);
+    for (int row = 0; row < s.rows; ++row)
+        for (int column = 0; column < s.columns; ++column) {
+            const std::size_t at = std::size_t(row) * std::size_t(s.stride) + std::size_t(column);
+            sum += glm::dvec3(s.x[at], s.y[at], s.z[at]);
+        }
+    return glm::vec3(sum / double(std::max(1, s.columns * s.rows)));
+}
+
+std::string written(Area area) {
+    char text[80];
+    std::snprintf(text, sizeof text, "%.1f %.1f %.1f %.1f", double(area.x0), double(area.y0), double(area.x1),
+                  double(area.y1));
+    return text;
+}
+
+/// The rectangle around the masses as they are drawn.
+Area around_masses(const Snapshot& s, const glm::mat4& to_clip, glm::vec2 size) {
+    Area area{1e9f, 1e9f, -1e9f, -1e9f};
+    for (int row = 0; row < s.rows; ++row)
+        for (int column = 0; column < s.columns; ++column) {
+            const std::size_t at = std::size_t(row) * std::size_t(s.stride) + std::size_t(column);
+            const glm::vec4 clip = to_clip * glm::vec4(s.x[at], s.y[at], s.z[at], 1.0f);
+            if (clip.w <= 0.0f) continue;
+            const glm::vec2 place((0.5f + 0.5f * clip.x / clip.w) * size.x, (0.5f - 0.5f * clip.y / clip.w) * size.y);
+            area = {std::min(area.x0, place.x), std::min(area.y0, place.y), std::max(area.x1, place.x),
+                    std::max(area.y1, place.y)};
+        }
+    return area;
+}
+
+}  // namespace
+
+Picture Viewer::picture() const {
+    const Scene& scene = moment_.scene;
+    const ViewSettings& view = session_.scene.view;
+    const FlagSettings& flag = scene.flag;
+    return {.view = camera_.view_matrix(framing_, session_.view_area),
+            .projection = camera_.projection(framing_, session_.view_area, size()),
+            .eye = camera_.eye(framing_, session_.view_area),
+            .cloth = view.cloth,
+            .texture = view.texture,
+            .springs = view.springs,
+            .diagonals = scene.springs.diagonal_stiffness.has_value(),
+            .forces = view.forces,
+            .masses = view.masses,
+            .cell = {flag.columns > 1 ? float(flag.width) / float(flag.columns - 1) : 0.0f,
+                     flag.rows > 1 ? float(flag.height) / float(flag.rows - 1) : 0.0f},
+            .stiffness = float(scene.springs.stiffness),
+            .diagonal_stiffness = float(scene.springs.diagonal_stiffness.value_or(0.0)),
+            .force_scale = float(session_.status.force_scale),
+            .pixel_scale = float(canvas_.height()) / std::max(1.0f, size().y),
+            .stage = stage_of(flag)};
+}
+
+void Viewer::draw() {
+    const FlagSettings& flag = moment_.scene.flag;
+    framing_ = framing_of(flag, stage_of(flag));
+    // What nothing holds falls; the camera goes with it.
+    if (flag.attach == Attach::none) framing_.centre = middle_of(moment_.snapshot);
+    if (!picture_wanted()) return;
+
+    const glm::vec2 pixels(float(canvas_.width()), float(canvas_.height()));
+    const Picture shown = picture();
+    renderer_.draw_shadow(shown, pixels);
+    canvas_.begin_scene();
+    renderer_.draw_scene(shown, pixels);
+}
+
+void Viewer::panels() {
+    if (picture_wanted()) canvas_.begin_panels();
+    draw_panels(session_, panel_memory_, map_);
+    gui_.draw();
+}
+
+void Viewer::present() {
+    ++frame_;
+    if (picture_wanted()) {
+        const glm::ivec2 window = window_.framebuffer_size();
+        if (film_) film_->add(canvas_.read());
+        if (session_.wishes.screenshot) take_screenshot(free_screenshot_name());
+        if (frame_ == options_.frames && !options_.screenshot.empty()) write_png(options_.screenshot, canvas_.read());
+        if (frame_ == options_.frames && film_) film_->finish();
+        canvas_.show(window.x, window.y);
+        gl_errors_.poll();
+    }
+    write_map();
+    window_.swap();
+    const double spent = glfwGetTime() - last_time_;
+    if (!repeatable() && spent < least_frame_seconds)
+        std::this_thread::sleep_for(std::chrono::duration<double>(least_frame_seconds - spent));
+}
+
+void Viewer::take_screenshot(const std::filesystem::path& file) {
+    session_.wishes.screenshot = false;
+    try {
+        write_png(file, canvas_.read());
+        say(session_, "Saved " + std::filesystem::absolute(file).string(), false);
+    } catch (const InputError& wrong) {
+        say(session_, wrong.what(), true);
+    }
+}
+
+void Viewer::write_map() {
+    if (!map_.wanted()) return;
+    const Status& status = session_.status;
+    const glm::vec3 target = camera_.target(framing_);
+    const glm::mat4 to_clip =
+        camera_.projection(framing_, session_.view_area, size()) * camera_.view_matrix(framing_, session_.view_area);
+    map_.state("frame", frame_);
+    map_.state("scene", session_.scene.name);
+    map_.state("time", status.time);
+    map_.state("steps", double(status.steps));
+    map_.state("paused", session_.paused || status.divergence ? "1" : "0");
+    map_.state("diverged", status.divergence ? "1" : "0");
+    map_.state("columns", status.columns);
+    map_.state("rows", status.rows);
+    map_.state("texture", session_.texture_file.string());
+    map_.state("message", session_.message.text);
+    map_.state("azimuth", double(camera_.azimuth));
+    map_.state("elevation", double(camera_.elevation));
+    map_.state("distance", double(camera_.distance(framing_, session_.view_area)));
+    map_.state("target_x", double(target.x));
+    map_.state("target_y", double(target.y));
+    map_.state("target_z", double(target.z));
+    map_.state("framebuffer", std::to_string(canvas_.width()) + "x" + std::to_string(canvas_.height()));
+    map_.state("window", std::to_string(int(size().x)) + "x" + std::to_string(int(size().y)));
+    map_.state("panel", session_.panel_shown ? written(session_.panel_area) : "");
+    map_.state("view", written(session_.view_area));
+    map_.state("flag", written(around_masses(moment_.snapshot, to_clip, size())));
+    map_.state("help", session_.help_shown ? "1" : "0");
+    map_.state("force_scale", status.force_scale);
+    map_.state("gl_errors", gl_errors_.count());
+    map_.write();
+}
+
+}  // namespace drapeau

@@ -1,0 +1,245 @@
+#include "widgets.hpp"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace drapeau {
+
+namespace {
+
+constexpr float label_share = 0.40f;  // of a row's width
+constexpr double same = 1e-9;         // relative: two numbers a slider cannot tell apart
+
+float arrow_width() {
+    return ImGui::GetFrameHeight();
+}
+
+std::string digits(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+bool differ(double a, double b) {
+    return std::abs(a - b) > same * std::max(std::abs(a), std::abs(b));
+}
+
+}  // namespace
+
+void Widgets::note(const char* label, const std::string& value) {
+    if (!map_.wanted()) return;
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const ImVec2 middle((low.x + high.x) / 2.0f, (low.y + high.y) / 2.0f);
+    const ImDrawList* list = ImGui::GetWindowDrawList();
+    const ImVec2 clip_low = list->GetClipRectMin(), clip_high = list->GetClipRectMax();
+    if (middle.x < clip_low.x || middle.y < clip_low.y || middle.x > clip_high.x || middle.y > clip_high.y) return;
+    map_.control(label, low.x, low.y, high.x, high.y, value);
+}
+
+void Widgets::tip(const char* text) const {
+    if (!text || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22.0f);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void Widgets::begin_row(const char* label, bool bright) {
+    ImGui::AlignTextToFramePadding();
+    if (bright)
+        ImGui::TextUnformatted(label);
+    else
+        ImGui::TextDisabled("%s", label);
+    ImGui::SameLine(ImGui::GetWindowContentRegionMin().x +
+                    label_share * (ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x));
+}
+
+float Widgets::control_width() const {
+    return std::max(40.0f, ImGui::GetContentRegionAvail().x - arrow_width() - ImGui::GetStyle().ItemSpacing.x);
+}
+
+// A small turning arrow, drawn rather than written, for not every font has one.
+bool Widgets::back_arrow(const char* label, bool differs) {
+    ImGui::SameLine();
+    const float side = arrow_width();
+    if (!differs) {
+        ImGui::Dummy({side, side});
+        return false;
+    }
+    const bool clicked = ImGui::InvisibleButton("back", {side, side});
+    const ImVec2 corner = ImGui::GetItemRectMin();
+    const ImVec2 centre(corner.x + side / 2.0f, corner.y + side / 2.0f);
+    const ImU32 color = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_Text : ImGuiCol_TextDisabled);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float r = 0.24f * side, begin = -2.4f, end = 2.3f;
+    list->PathArcTo(centre, r, begin, end, 20);
+    list->PathStroke(color, 0, 1.6f);
+    const ImVec2 head(centre.x + r * std::cos(begin), centre.y + r * std::sin(begin));
+    list->AddTriangleFilled({head.x - 0.17f * side, head.y - 0.10f * side},
+                            {head.x + 0.14f * side, head.y - 0.13f * side},
+                            {head.x - 0.07f * side, head.y + 0.19f * side}, color);
+    note((std::string("Back: ") + label).c_str(), "");
+    tip("Back to what the scene says.");
+    return clicked;
+}
+
+bool Widgets::slider(const char* label, double& value, const Range& range, double origin, const char* tip_text) {
+    ImGui::PushID(label);
+    begin_row(label, true);
+    double shown = value * range.shown_per_unit;
+    ImGui::SetNextItemWidth(control_width());
+    ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat;
+    if (range.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
+    bool changed =
+        ImGui::SliderScalar("##value", ImGuiDataType_Double, &shown, &range.low, &range.high, range.format, flags);
+    if (changed) value = shown / range.shown_per_unit;
+    note(label, digits(shown));
+    tip(tip_text);
+    if (back_arrow(label, differ(value, origin))) {
+        value = origin;
+        changed = true;
+    }
+    ImGui::PopID();
+    return changed;
+}
+
+bool Widgets::slider(const char* label, int& value, int low, int high, int origin, const char* tip_text) {
+    ImGui::PushID(label);
+    begin_row(label, true);
+    ImGui::SetNextItemWidth(control_width());
+    bool changed = ImGui::SliderInt("##value", &value, low, high, "%d", ImGuiSliderFlags_AlwaysClamp);
+    note(label, std::to_string(value));
+    tip(tip_text);
+    if (back_arrow(label, value != origin)) {
+        value = origin;
+        changed = true;
+    }
+    ImGui::PopID();
+    return changed;
+}
+
+bool Widgets::term(const char* label, std::optional<double>& value, const Range& range,
+                   const std::optional<double>& origin, double otherwise, const char* tip_text) {
+    ImGui::PushID(label);
+    begin_row(label, value.has_value());
+    bool on = value.has_value();
+    bool changed = ImGui::Checkbox("##on", &on);
+    note((std::string(label) + " on").c_str(), on ? "1" : "0");
+    tip("Whether this is modelled at all. What is off is not computed and costs nothing.");
+    if (changed) value = on ? std::optional(origin.value_or(otherwise)) : std::nullopt;
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(control_width());
+    if (value) {
+        double shown = *value * range.shown_per_unit;
+        ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat;
+        if (range.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
+        if (ImGui::SliderScalar("##value", ImGuiDataType_Double, &shown, &range.low, &range.high, range.format,
+                                flags)) {
+            value = shown / range.shown_per_unit;
+            changed = true;
+        }
+        note(label, digits(shown));
+    } else {
+        ImGui::BeginDisabled();
+        double none = range.low;
+        ImGui::SliderScalar("##value", ImGuiDataType_Double, &none, &range.low, &range.high, "not modelled", 0);
+        ImGui::EndDisabled();
+    }
+    tip(tip_text);
+    const bool differs = value.has_value() != origin.has_value() || (value && differ(*value, *origin));
+    if (back_arrow(label, differs)) {
+        value = origin;
+        changed = true;
+    }
+    ImGui::PopID();
+    return changed;
+}
+
+bool Widgets::toggle(const char* label, bool& value, const char* tip_text) {
+    const bool changed = ImGui::Checkbox(label, &value);
+    note(label, value ? "1" : "0");
+    tip(tip_text);
+    return changed;
+}
+
+bool Widgets::choice(const char* label, int& index, const std::vector<std::string>& names, int origin,
+                     const char* tip_text) {
+    ImGui::PushID(label);
+    begin_row(label, true);
+    const bool returns = origin >= 0;
+    ImGui::SetNextItemWidth(returns ? control_width() : -1.0f);
+    const bool known = index >= 0 && index < int(names.size());
+    const int before = index;
+    const std::string now = known ? names[std::size_t(index)] : "";
+    const bool listed = ImGui::BeginCombo("##value", now.c_str(), ImGuiComboFlags_HeightLarge);
+    if (!listed) {
+        note(label, now);
+        tip(tip_text);
+    } else {
+        for (int i = 0; i < int(names.size()); ++i) {
+            const std::string& name = names[std::size_t(i)];
+            ImGui::PushID(i);
+            if (ImGui::Selectable(name.c_str(), i == index)) index = i;
+            note((std::string(label) + ": " + name).c_str(), i == index ? "1" : "0");
+            ImGui::PopID();
+        }
+        ImGui::EndCombo();
+    }
+    if (returns && back_arrow(label, index != origin)) index = origin;
+    ImGui::PopID();
+    return index != before;
+}
+
+bool Widgets::text(const char* label, std::string& value, const char* hint, const char* tip_text) {
+    ImGui::PushID(label);
+    begin_row(label, true);
+    ImGui::SetNextItemWidth(-1.0f);
+    const bool entered = ImGui::InputTextWithHint("##value", hint, &value, ImGuiInputTextFlags_EnterReturnsTrue);
+    note(label, value);
+    tip(tip_text);
+    ImGui::PopID();
+    return entered;
+}
+
+bool Widgets::button(const char* label, const char* tip_text, float width) {
+    const bool clicked = ImGui::Button(label, {width, 0.0f});
+    note(label, "");
+    tip(tip_text);
+    return clicked;
+}
+
+bool Widgets::page(const char* label, bool chosen, float width) {
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(chosen ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
+    const bool clicked = ImGui::Button(label, {width, 0.0f});
+    ImGui::PopStyleColor();
+    note(label, chosen ? "1" : "0");
+    return clicked;
+}
+
+void Widgets::reading(const char* label, const std::string& value, const char* tip_text) {
+    ImGui::TextDisabled("%s", label);
+    const float left = ImGui::GetWindowContentRegionMin().x;
+    ImGui::SameLine(left + label_share * (ImGui::GetWindowContentRegionMax().x - left));
+    ImGui::TextUnformatted(value.c_str());
+    note(label, value);
+    tip(tip_text);
+}
+
+void Widgets::gauge(const char* label, double share, const std::string& text, const char* tip_text) {
+    ImGui::TextDisabled("%s", label);
+    const float left = ImGui::GetWindowContentRegionMin().x;
+    ImGui::SameLine(left + label_share * (ImGui::GetWindowContentRegionMax().x - left));
+    const ImVec4 calm(0.24f, 0.52f, 0.40f, 1.0f), close(0.66f, 0.47f, 0.13f, 1.0f), past(0.72f, 0.22f, 0.20f, 1.0f);
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, share > 1.0 ? past : share > 0.92 ? close : calm);
+    ImGui::ProgressBar(float(std::clamp(share, 0.0, 1.0)), {-1.0f, ImGui::GetTextLineHeight() + 4.0f}, text.c_str());
+    ImGui::PopStyleColor();
+    note(label, text);
+    tip(tip_text);
+}
+
+}  // namespace drapeau

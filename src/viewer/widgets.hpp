@@ -1,0 +1,53 @@
+// Widgets: the panel's controls. Each has a label, a unit, a tooltip that says what raising it does, an arrow back to
+// its default where it differs from it, and a line in the UI map.
+#pragma once
+
+#include "ui_map.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace drapeau {
+
+struct Range {
+    double low = 0.0, high = 1.0;  // in the unit shown
+    bool logarithmic = false;
+    const char* format = "%.3g";  // printf, with the unit
+    double shown_per_unit = 1.0;  // 1000 shows metres as millimetres
+};
+
+class Widgets {
+public:
+    explicit Widgets(UiMap& map) : map_(map) {}
+
+    bool slider(const char* label, double& value, const Range& range, double origin, const char* tip);
+    bool slider(const char* label, int& value, int low, int high, int origin, const char* tip);
+
+    /// A term that may be missing: a switch and a slider. Switched on, it has `origin` or else `otherwise`.
+    bool term(const char* label, std::optional<double>& value, const Range& range, const std::optional<double>& origin,
+              double otherwise, const char* tip);
+
+    bool toggle(const char* label, bool& value, const char* tip);
+    bool choice(const char* label, int& index, const std::vector<std::string>& names, int origin, const char* tip);
+    bool text(const char* label, std::string& value, const char* hint, const char* tip);
+    bool button(const char* label, const char* tip, float width = 0.0f);
+    bool page(const char* label, bool chosen, float width);
+
+    void reading(const char* label, const std::string& value, const char* tip);
+    void gauge(const char* label, double share, const std::string& text, const char* tip);
+
+    /// Notes the last item of ImGui in the UI map if its middle can be seen.
+    void note(const char* label, const std::string& value);
+    UiMap& map() { return map_; }
+
+private:
+    void begin_row(const char* label, bool bright);
+    float control_width() const;
+    bool back_arrow(const char* label, bool differs);
+    void tip(const char* text) const;
+
+    UiMap& map_;
+};
+
+}  // namespace drapeau

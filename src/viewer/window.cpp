@@ -1,0 +1,156 @@
+#include "window.hpp"
+
+#include "error.hpp"
+
+#include <GL/glew.h>
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace drapeau {
+
+namespace {
+
+using Kind = InputEvent::Kind;
+
+InputEvent& queue(GLFWwindow* window, Kind kind) {
+    auto& events = *static_cast<std::vector<InputEvent>*>(glfwGetWindowUserPointer(window));
+    double x = 0.0, y = 0.0;
+    glfwGetCursorPos(window, &x, &y);
+    InputEvent& event = events.emplace_back();
+    event.kind = kind;
+    event.time = glfwGetTime();
+    event.at = {float(x), float(y)};
+    return event;
+}
+
+void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers) {
+    if (action == GLFW_RELEASE) return;
+    const bool repeats = key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT || key == GLFW_KEY_UP || key == GLFW_KEY_DOWN;
+    if (action == GLFW_REPEAT && !repeats) return;
+    InputEvent& event = queue(window, Kind::key);
+    event.code = key;
+    event.modifiers = modifiers;
+    const char* name = glfwGetKeyName(key, scancode);
+    event.character = name ? name : "";
+}
+
+void on_button(GLFWwindow* window, int button, int action, int modifiers) {
+    InputEvent& event = queue(window, action == GLFW_PRESS ? Kind::press : Kind::release);
+    event.code = button;
+    event.modifiers = modifiers;
+}
+
+void on_move(GLFWwindow* window, double x, double y) {
+    queue(window, Kind::move).at = {float(x), float(y)};
+}
+
+void on_scroll(GLFWwindow* window, double, double notches) {
+    queue(window, Kind::scroll).amount = float(notches);
+}
+
+void on_drop(GLFWwindow* window, int count, const char** files) {
+    for (int i = 0; i < count; ++i) queue(window, Kind::drop).file = files[i];
+}
+
+std::string last_error() {
+    const char* description = nullptr;
+    glfwGetError(&description);
+    return description ? description : "no reason given";
+}
+
+}  // namespace
+
+Window::Window(const WindowSettings& settings) {
+#ifdef GLFW_PLATFORM_X11
+    // GLEW as Debian builds it finds OpenGL through X11 only.
+    if (glfwPlatformSupported(GLFW_PLATFORM_X11)) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
+    bool started = glfwInit();
+#ifdef GLFW_PLATFORM_X11
+    if (!started) {
+        glfwInitHint(GLFW_PLATFORM, GLFW_ANY_PLATFORM);
+        started = glfwInit();
+    }
+#endif
+    if (!started)
+        throw InputError("no display to open a window on (" + last_error() +
+                         "); set DISPLAY, or use xvfb-run to draw into files");
+
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, settings.debug);
+    glfwWindowHint(GLFW_VISIBLE, settings.visible);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the scene is drawn into a canvas with a depth of its own
+    window_ = glfwCreateWindow(settings.width, settings.height, "drapeau", nullptr, nullptr);
+    if (!window_) {
+        const std::string reason = last_error();
+        glfwTerminate();
+        throw InputError("OpenGL 3.3 is needed and this display does not offer it (" + reason + ")");
+    }
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(settings.vsync ? 1 : 0);
+
+    // Without X11, GLEW finds the functions all the same and complains only of the missing GLX.
+    glewExperimental = GL_TRUE;
+    glewInit();
+    if (!glGenVertexArrays || !glBlitFramebuffer || !glDrawArraysInstanced) {
+        glfwDestroyWindow(window_);
+        glfwTerminate();
+        throw InputError("OpenGL 3.3 is needed; its functions could not be loaded");
+    }
+
+    glfwSetWindowUserPointer(window_, &events_);
+    glfwSetKeyCallback(window_, on_key);
+    glfwSetMouseButtonCallback(window_, on_button);
+    glfwSetCursorPosCallback(window_, on_move);
+    glfwSetScrollCallback(window_, on_scroll);
+    glfwSetDropCallback(window_, on_drop);
+    glfwSetWindowSizeLimits(window_, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
+}
+
+Window::~Window() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+bool Window::open() const {
+    return !glfwWindowShouldClose(window_);
+}
+void Window::close() {
+    glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+
+std::vector<InputEvent> Window::poll() {
+    glfwPollEvents();
+    return std::exchange(events_, {});
+}
+
+void Window::swap() {
+    glfwSwapBuffers(window_);
+}
+
+glm::ivec2 Window::size() const {
+    int width = 0, height = 0;
+    glfwGetWindowSize(window_, &width, &height);
+    return {width, height};
+}
+
+glm::ivec2 Window::framebuffer_size() const {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    return {width, height};
+}
+
+// Where the framebuffer is already larger than the window, the desktop's wish is met by that.
+float Window::content_scale() const {
+    float x = 1.0f, y = 1.0f;
+    glfwGetWindowContentScale(window_, &x, &y);
+    const float pixels_per_unit = float(framebuffer_size().x) / float(std::max(1, size().x));
+    return std::clamp(x / pixels_per_unit, 1.0f, 4.0f);
+}
+
+}  // namespace drapeau

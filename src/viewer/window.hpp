@@ -1,0 +1,47 @@
+// Window: the GLFW window with its OpenGL context, and the queue of what happened to it since the last frame.
+// Events are queued as they come, so that a key that goes down and up within a frame still counts.
+#pragma once
+
+#include "input.hpp"
+
+#include <glm/vec2.hpp>
+
+#include <vector>
+
+struct GLFWwindow;
+
+namespace drapeau {
+
+struct WindowSettings {
+    int width = 1280;
+    int height = 800;
+    bool visible = true;
+    bool debug = false;  // an OpenGL debug context
+    bool vsync = true;
+};
+
+class Window {
+public:
+    /// Throws InputError without a display or with an OpenGL older than 3.3.
+    explicit Window(const WindowSettings& settings);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    bool open() const;
+    void close();
+    std::vector<InputEvent> poll();  // what happened since the last call, in order
+    void swap();
+    void set_title(const std::string& title);
+
+    glm::ivec2 size() const;              // window units
+    glm::ivec2 framebuffer_size() const;  // pixels
+    float content_scale() const;          // how much larger than usual the desktop wants text
+    GLFWwindow* handle() const { return window_; }
+
+private:
+    GLFWwindow* window_ = nullptr;
+    std::vector<InputEvent> events_;
+};
+
+}  // namespace drapeau
