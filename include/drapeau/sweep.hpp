@@ -8,15 +8,14 @@
 //     |  /\  |        diagonal, rising     (i+1,j) - (i,j+1)
 //     j+1
 //
-// Column i works out the four springs of its cell. What they pull on column i+1 of the same row waits in `right`, what
-// they pull back on row j+1 waits in `below` (column i) and `below_right` (column i+1) until that row's turn. Then row
-// j's force is complete and nobody needs its old state any more, so `finish` may move it in place, at once.
+// Column i works out the four springs of its cell. What they pull on column i+1 is carried along to the next column;
+// what they pull back on row j+1 waits in a row-long buffer until that row's turn. Once column i has its share from the
+// row above and from the column to its left, its force is complete and nobody needs its old state any more, so `finish`
+// may move it in place, at once.
 #pragma once
 
 #include "drapeau/cloth.hpp"
 #include "drapeau/spring.hpp"
-
-#include <utility>
 
 namespace drapeau {
 
@@ -41,39 +40,22 @@ struct ForceRow {
     }
 };
 
-/// What springs from the row above left behind for a row.
-template <class Real>
-struct Waiting {
-    ForceRow<Real> below, below_right;
-};
-
-/// The row-long buffers of one pass. Element -1 of each is readable and zero.
+/// The row-long buffer of one pass: what springs from the row above left waiting for the row at hand.
 template <class Real>
 class SweepBuffers {
 public:
     /// For rows of `width` elements (Cloth::width).
-    explicit SweepBuffers(int width) : width_(width), pitch_(width + gap), all_(18 * pitch_ + gap) {
-        int n = 0;
-        const auto next = [&] {
-            Real* base = all_.data() + gap + 3 * (n++) * pitch_;
-            return ForceRow<Real>{base, base + pitch_, base + 2 * pitch_};
-        };
-        own = next(), right = next();
-        for (auto& w : waiting) w = {next(), next()};
+    explicit SweepBuffers(int width) : width_(width), pitch_(width + widest<Real>), all_(3 * pitch_) {
+        waiting = {all_.data(), all_.data() + pitch_, all_.data() + 2 * pitch_};
     }
-    SweepBuffers(SweepBuffers&&) = default;
-    SweepBuffers& operator=(SweepBuffers&&) = default;
 
     int width() const { return width_; }
 
-    ForceRow<Real> own, right;
-    Waiting<Real> waiting[2];
-    int now = 0;  // which of the two the row at hand reads; it fills the other
+    ForceRow<Real> waiting;
 
 private:
-    static constexpr int gap = widest<Real>;  // zeros before every row
     int width_;
-    std::ptrdiff_t pitch_;
+    std::ptrdiff_t pitch_;  // not a power of two, which would crowd one part of the cache
     Array<Real> all_;
 };
 
@@ -85,28 +67,17 @@ public:
     using Real = typename Lanes<V>::Real;
 
     Sweep(const SpringRows<Real>& springs, SweepBuffers<Real>& buffers)
-        : springs_(springs),
-          own_(buffers.own),
-          right_(buffers.right),
-          in_(buffers.waiting[buffers.now]),
-          out_(buffers.waiting[1 - buffers.now]),
-          now_(buffers.now),
-          width_(buffers.width()) {}
+        : springs_(springs), waiting_(buffers.waiting), width_(buffers.width()) {}
 
     /// Starts at a row with nothing above it.
     DRAPEAU_INLINE void begin() {
-        const Triple<V> none{};
-        for (int i = 0; i < width_; i += Lanes<V>::width) {
-            in_.below.set(i, none);
-            if constexpr (diagonals) in_.below_right.set(i, none);
-        }
+        for (int i = 0; i < width_; i += Lanes<V>::width) waiting_.set(i, Triple<V>{});
     }
 
     /// Starts below a row that another thread moves: its springs down to `here` are evaluated on both sides.
     DRAPEAU_INLINE void begin_below(const Row<Real>& above, const Row<Real>& here) {
         begin();
-        pull<true>(above, here);
-        turn();
+        pull<true>(above, here, [](int, const Triple<V>&) {});
     }
 
     /// Completes the force on row `here` and calls finish(i, force) on each register of it. `next` is the row below,
@@ -114,30 +85,22 @@ public:
     template <class Finish>
     DRAPEAU_INLINE void row(const Row<Real>& here, const Row<Real>* next, Finish&& finish) {
         if (next)
-            pull<true>(here, *next);
+            pull<true>(here, *next, finish);
         else
-            pull<false>(here, here);
-        for (int i = 0; i < width_; i += Lanes<V>::width)
-            finish(i, own_.template at<V>(i) + right_.template at<V>(i - 1));
-        turn();
+            pull<false>(here, here, finish);
     }
 
 private:
-    DRAPEAU_INLINE void turn() {
-        std::swap(in_, out_);
-        now_ = 1 - now_;
-    }
-
-    template <bool has_next>
-    DRAPEAU_INLINE void pull(const Row<Real>& here, const Row<Real>& next) {
+    template <bool has_next, class Finish>
+    DRAPEAU_INLINE void pull(const Row<Real>& here, const Row<Real>& next, Finish&& finish) {
+        Triple<V> right_before{}, falling_before{};
         for (int i = 0; i < width_; i += Lanes<V>::width) {
             const auto x = here.template position<V>(i), v = here.template velocity<V>(i);
             const auto x_right = here.template position<V>(i + 1), v_right = here.template velocity<V>(i + 1);
 
             const auto fly = Pair::template pull<V>(springs_.fly, i, x_right - x, v_right - v);
-            auto own = in_.below.template at<V>(i) + fly;
+            auto own = waiting_.template at<V>(i) + fly;
             auto right = Triple<V>{} - fly;
-            if constexpr (diagonals) own = own + in_.below_right.template at<V>(i - 1);
 
             if constexpr (has_next) {
                 const auto x_below = next.template position<V>(i), v_below = next.template velocity<V>(i);
@@ -152,19 +115,18 @@ private:
                     const auto x_corner = next.template position<V>(i + 1), v_corner = next.template velocity<V>(i + 1);
                     const auto falling = Pair::template pull<V>(springs_.diagonal, i, x_corner - x, v_corner - v);
                     own = own + falling;
-                    out_.below_right.set(i, Triple<V>{} - falling);
+                    below = below - shifted(falling_before, falling);
+                    falling_before = falling;
                 }
-                out_.below.set(i, below);
+                waiting_.set(i, below);
             }
-            right_.set(i, right);
-            own_.set(i, own);
+            finish(i, own + shifted(right_before, right));
+            right_before = right;
         }
     }
 
     SpringRows<Real> springs_;
-    ForceRow<Real> own_, right_;
-    Waiting<Real> in_, out_;
-    int& now_;
+    ForceRow<Real> waiting_;
     int width_;
 };
 
