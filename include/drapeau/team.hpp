@@ -30,7 +30,7 @@ public:
             turn_.store(turn + 1, std::memory_order_release);
             return;
         }
-        constexpr int patience = 4000;  // looks, some ten microseconds
+        constexpr int patience = 200;  // looks, some ten microseconds
         for (int looks = 0; turn_.load(std::memory_order_acquire) == turn; ++looks) {
             if (looks < patience) {
 #if defined(__x86_64__) || defined(__i386__)
