@@ -1,0 +1,93 @@
+#include "report_arrangement.hpp"
+
+namespace drapeau {
+namespace {
+
+/// The force (N) of a spring on the mass at `x`, whose other end is at `x_other` (the report's calculRessortForce):
+/// f = [k (l - L) + c (v_other - v) . e] e     (report, eqs. 5 and 6)
+template <class Real, class vec3 = glm::vec<3, Real>>
+inline vec3 spring_force(const vec3& x, const vec3& v, const vec3& x_other, const vec3& v_other, Real k, Real c,
+                         Real rest_length) {
+    const vec3 d = x_other - x;
+    const Real l = glm::length(d);
+    if (l < static_cast<Real>(shortest_length)) return vec3(0);
+    const vec3 e = d / l;
+    return (k * (l - rest_length) + c * glm::dot(v_other - v, e)) * e;
+}
+
+}  // namespace
+
+template <class Real>
+ReportArrangement<Real>::ReportArrangement(const Grid& grid, Attach attach, const Material& material,
+                                           const ReportSurroundings& around)
+    : columns_(grid.columns),
+      rows_(grid.rows),
+      mass_(static_cast<Real>(material.mass)),
+      gravity_(around.gravity),
+      wind_(around.wind),
+      drag_(static_cast<Real>(around.drag)),
+      diagonals_(material.diagonal_stiffness.has_value()),
+      masses_(static_cast<std::size_t>(grid.masses())) {
+    const auto spring = [&](double k, double length) {
+        return Spring{static_cast<Real>(k), static_cast<Real>(material.damping.value_or(0.0)),
+                      static_cast<Real>(length)};
+    };
+    along_fly_ = spring(material.stiffness, grid.pitch_x);
+    down_hoist_ = spring(material.stiffness, grid.pitch_y);
+    diagonal_ = spring(material.diagonal_stiffness.value_or(0.0), grid.pitch_diagonal());
+    for (int j = 0; j < rows_; ++j)
+        for (int i = 0; i < columns_; ++i)
+            mass(i, j) = {vec3(grid.rest(i, j)), vec3(0), vec3(0), vec3(0), is_attached(attach, grid, i, j)};
+}
+
+template <class Real>
+void ReportArrangement<Real>::set(int i, int j, const glm::dvec3& position, const glm::dvec3& velocity) {
+    mass(i, j).position = vec3(position);
+    mass(i, j).velocity = mass(i, j).attached ? vec3(0) : vec3(velocity);
+}
+
+template <class Real>
+inline void ReportArrangement<Real>::pull(Mass& from, Mass& to, const Spring& spring) {
+    const vec3 f = spring_force<Real>(from.position, from.velocity, to.position, to.velocity, spring.stiffness,
+                                      spring.damping, spring.length);
+    from.force += f;
+    to.stored_force -= f;
+}
+
+template <class Real>
+inline void ReportArrangement<Real>::compute_force(int i, int j) {
+    Mass& here = mass(i, j);
+    here.force = mass_ * gravity_ - drag_ * here.velocity + drag_ * wind_ + here.stored_force;
+    here.stored_force = vec3(0);
+
+    // Of its eight neighbours, those to the right and below have computed their springs to this mass already.
+    const bool has_left = i > 0, has_right = i + 1 < columns_, has_above = j > 0;
+    if (has_left) pull(here, mass(i - 1, j), along_fly_);
+    if (has_above) pull(here, mass(i, j - 1), down_hoist_);
+    if (diagonals_) {
+        if (has_left && has_above) pull(here, mass(i - 1, j - 1), diagonal_);
+        if (has_right && has_above) pull(here, mass(i + 1, j - 1), diagonal_);
+    }
+}
+
+template <class Real>
+inline void ReportArrangement<Real>::move(Mass& mass, Real dt) {
+    if (mass.attached) return;
+    mass.velocity += dt * (mass.force / mass_);
+    mass.position += dt * mass.velocity;
+}
+
+template <class Real>
+void ReportArrangement<Real>::advance(double dt, int steps) {
+    for (int step = 0; step < steps; ++step)
+        for (int j = rows_ - 1; j >= 0; --j)
+            for (int i = columns_ - 1; i >= 0; --i) {
+                compute_force(i, j);
+                move(mass(i, j), static_cast<Real>(dt));
+            }
+}
+
+template class ReportArrangement<float>;
+template class ReportArrangement<double>;
+
+}  // namespace drapeau

@@ -1,0 +1,66 @@
+// The report's own arrangement (section 4.2), the baseline of the benchmark: an object per mass, a loop over the masses
+// from right to left and bottom to top, and a function for the force of one spring.
+//
+// Each spring is computed once, by the mass at its lower or right end. That mass adds the force to its own; the
+// opposite is stored with the neighbour, whose turn comes later (the report's forceExterieur). When a mass has had its
+// turn nobody needs its old position any more, so it moves at once.
+#pragma once
+
+#include "drapeau/fabric.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+namespace drapeau {
+
+/// What acts on the masses of the report's flag, besides its springs.
+struct ReportSurroundings {
+    glm::dvec3 gravity{0.0, -9.8, 0.0};  // m/s2
+    glm::dvec3 wind{0.0};                // m/s
+    double drag = 0.0;                   // N s/m
+};
+
+template <class Real>
+class ReportArrangement {
+public:
+    using vec3 = glm::vec<3, Real>;
+
+    /// All masses at rest at their places in the grid.
+    ReportArrangement(const Grid& grid, Attach attach, const Material& material, const ReportSurroundings& around);
+
+    /// Takes `steps` steps of dt seconds with semi-implicit Euler (report, eqs. 8 and 9).
+    void advance(double dt, int steps);
+
+    glm::dvec3 position(int i, int j) const { return mass(i, j).position; }
+    glm::dvec3 velocity(int i, int j) const { return mass(i, j).velocity; }
+    void set(int i, int j, const glm::dvec3& position, const glm::dvec3& velocity);
+
+private:
+    struct Mass {
+        vec3 position, velocity;
+        vec3 force;
+        vec3 stored_force;  // forceExterieur: what springs computed by other masses do to this one
+        bool attached;
+    };
+    struct Spring {
+        Real stiffness, damping, length;
+    };
+
+    Mass& mass(int i, int j) { return masses_[static_cast<std::size_t>(j) * columns_ + i]; }
+    const Mass& mass(int i, int j) const { return masses_[static_cast<std::size_t>(j) * columns_ + i]; }
+    void pull(Mass& from, Mass& to, const Spring& spring);
+    void compute_force(int i, int j);
+    void move(Mass& mass, Real dt);
+
+    int columns_, rows_;
+    Real mass_;  // kg, of each
+    vec3 gravity_, wind_;
+    Real drag_;
+    Spring along_fly_, down_hoist_, diagonal_;
+    bool diagonals_;
+    std::vector<Mass> masses_;
+};
+
+}  // namespace drapeau
