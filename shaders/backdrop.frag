@@ -11,7 +11,7 @@ const vec3 zenith = vec3(0.085, 0.235, 0.56);
 const vec3 upper = vec3(0.25, 0.47, 0.80);
 const vec3 horizon = vec3(0.74, 0.84, 0.92);
 const vec3 below = vec3(0.62, 0.73, 0.84);
-const vec3 grass = vec3(0.150, 0.215, 0.085);
+const vec3 grass = vec3(0.098, 0.158, 0.050);
 const vec3 stone = vec3(0.42, 0.40, 0.37);
 
 vec3 sky(vec3 d) {
@@ -44,11 +44,12 @@ void main() {
     vec2 at = eye.xz + away * d.xz;
     vec2 from_foot = at - vec2(ground.z, 0.0);
     float bands = smoothstep(-0.25, 0.25, sin(at.x * 2.6 + 0.25 * sin(at.y * 0.7))) - 0.5;
-    float near = exp(-away * 0.055);
-    vec3 color = grass * (1.0 + 0.10 * bands * near + 0.06 * sin(at.x * 0.9) * sin(at.y * 1.3) * near);
+    float near = exp(-away * 0.03);
+    vec3 color = grass * (1.0 + 0.16 * bands * near + 0.06 * sin(at.x * 0.9) * sin(at.y * 1.3) * near);
     float slab = length(from_foot);
     float edge = 0.75 * away / max(picture_size.y, 1.0) / max(0.05, -d.y);
-    color = mix(stone * (1.0 + 0.12 * smoothstep(0.20, 0.21, slab)), color, smoothstep(0.30 - edge, 0.30 + edge, slab));
+    vec3 paved = stone * (1.0 + 0.12 * smoothstep(0.66 * ground.w - edge, 0.66 * ground.w + edge, slab));
+    color = mix(paved, color, smoothstep(ground.w - edge, ground.w + edge, slab));
     color *= 1.55 - 0.95 * shadow(at);
-    shade = vec4(mix(horizon, color, exp(-away * 0.028)), 1.0);
+    shade = vec4(mix(horizon, color, exp(-away * 0.016)), 1.0);
 }

@@ -31,6 +31,6 @@ void main() {
     float glint = pow(max(0.0, dot(n, normalize(sun.xyz + to_eye))), 22.0);
 
     vec3 light = ambient(n) + sun_light * (0.86 * lit + 0.30 * through) + 0.10 * max(0.0, dot(n, to_eye));
-    vec3 sheen = sky_light * 0.10 * graze * graze + sun_light * 0.045 * glint * step(0.0, facing);
+    vec3 sheen = sky_light * (0.012 + 0.16 * graze * graze) + sun_light * 0.06 * glint * step(0.0, facing);
     shade = vec4(color * light + sheen, 1.0);
 }

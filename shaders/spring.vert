@@ -6,17 +6,30 @@ uniform ivec2 offset;     // columns and rows from a spring's one end to the oth
 uniform int per_row;      // springs of this kind in a row
 uniform float rest;       // L, m
 uniform float stiffness;  // k, N/m
-uniform float width;      // in units of line width
+uniform float width;      // at most, in units of line width
 uniform float lift;       // m towards the eye, so that the cloth does not hide its own springs
 uniform int by_force;
 uniform float force_scale;  // N
 uniform vec3 color;
+uniform int on_picture;   // 1: light on dark parts of the picture and dark on light ones
+uniform ivec2 grid;       // columns, rows
+uniform sampler2D picture;
 
 out vec3 tint;
 out float across;  // pixels from the line's middle
 flat out float half_width;
 
 const vec3 strongest = vec3(0.80, 0.0, 0.015);
+const vec3 dark = vec3(0.012, 0.015, 0.022);
+const vec3 light = vec3(0.93, 0.92, 0.88);
+const float thinnest = 1.0;       // in units of line width
+const float share_of_cell = 0.15; // a line's width at most, so that small cells stay open
+const float coarse = 5.0;         // mipmap level at which the picture's brightness is looked up
+
+vec3 contrast(vec2 mass) {
+    vec3 below = textureLod(picture, mass / vec2(max(grid - 1, ivec2(1))), coarse).rgb;
+    return dot(below, vec3(0.2126, 0.7152, 0.0722)) > 0.18 ? dark : light;
+}
 
 vec4 lifted(vec3 point) { return to_clip * vec4(point + lift * normalize(eye.xyz - point), 1.0); }
 
@@ -28,6 +41,7 @@ void main() {
     // |k (l - L)|, white when slack and red at the scale's end
     float force = abs(stiffness * (distance(a, b) - rest));
     tint = by_force == 1 ? mix(vec3(1.0), strongest, clamp(force / force_scale, 0.0, 1.0)) : color;
+    if (on_picture == 1) tint = contrast(vec2(mass) + 0.5 * vec2(offset));
 
     vec4 ends[2] = vec4[2](lifted(a), lifted(b));
     if (ends[0].w < 1e-3 || ends[1].w < 1e-3) {
@@ -39,7 +53,8 @@ void main() {
     float size = length(along);
     along = size > 1e-6 ? along / size : vec2(1.0, 0.0);
 
-    half_width = 0.5 * width * picture_size.z;
+    float pixels_per_metre = length(vec3(to_clip[0][1], to_clip[1][1], to_clip[2][1])) * half_size.y / ends[0].w;
+    half_width = 0.5 * clamp(share_of_cell * rest * pixels_per_metre, thinnest * picture_size.z, width * picture_size.z);
     float side = float(gl_VertexID % 2) * 2.0 - 1.0;
     across = side * (half_width + 1.0);
     gl_Position = ends[gl_VertexID / 2];

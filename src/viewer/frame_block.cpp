@@ -27,13 +27,14 @@ glm::vec4 shadow_area(const Stage& stage) {
 FrameBlock frame_block(const Picture& picture, glm::vec2 size) {
     const glm::mat4 to_clip = picture.projection * picture.view;
     const Stage& stage = picture.stage;
-    const float foot = stage.rods.empty() ? 0.0f : stage.rods.front().from.x;
+    const bool pole = stage.rods.size() == 1;
+    const Rod foot = pole ? stage.rods.front() : Rod{.radius = 0.0f};
     return {.to_clip = to_clip,
             .to_world = glm::inverse(to_clip),
             .eye = glm::vec4(picture.eye, 1.0f),
             .sun = glm::vec4(to_sun, 0.0f),
             .picture = {size.x, size.y, picture.pixel_scale, 0.0f},
-            .ground = {stage.ground_height, stage.ground ? 1.0f : 0.0f, foot, 0.0f},
+            .ground = {stage.ground_height, stage.ground ? 1.0f : 0.0f, foot.from.x, 9.0f * foot.radius},
             .shadow = shadow_area(stage)};
 }
 

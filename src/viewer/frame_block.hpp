@@ -14,7 +14,7 @@ struct FrameBlock {
     glm::vec4 eye;
     glm::vec4 sun;      // towards the sun
     glm::vec4 picture;  // width and height in pixels, pixels per unit of line width
-    glm::vec4 ground;   // height, 1 if there is ground, x of the pole's foot
+    glm::vec4 ground;   // height, 1 if there is ground, x of the pole's foot, radius of the slab it stands on
     glm::vec4 shadow;   // x, z of the shadow texture's corner on the ground and 1 / its sides
 };
 

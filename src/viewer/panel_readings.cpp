@@ -50,8 +50,8 @@ void draw_readings(const Session& session, Widgets& widgets) {
                     "Wall-clock time from picture to picture.");
     const Readings& r = s.readings;
     const double total = r.kinetic_energy + r.spring_energy + r.gravity_energy;
-    widgets.reading("Energy", written("%.3f J,  %.2g J of it motion", total, r.kinetic_energy),
-                    "Of motion, of springs, and of height (0 at the flag's top).");
+    widgets.reading("Energy", written("%.3f J,  motion %.3f J", total, r.kinetic_energy),
+                    "All of it: of motion, of springs, and of height (0 at the flag's top); and that of motion alone.");
     widgets.reading("Stretch",
                     written("%.1f %% most,  %.2f %% mean", 100.0 * r.greatest_stretch, 100.0 * r.mean_stretch),
                     "Of the springs against their rest length.");

@@ -43,7 +43,7 @@ void Renderer::draw_scene(const Picture& picture, glm::vec2 size) {
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
     const bool chain = grid_.columns() == 1 || grid_.rows() == 1;
-    if (picture.springs || picture.forces || chain) springs_.draw(grid_, picture);
+    if (picture.springs || picture.forces || chain) springs_.draw(grid_, picture, texture_);
     if (picture.masses || chain) masses_.draw(grid_, picture);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);

@@ -7,29 +7,39 @@
 
 namespace drapeau {
 
-void SpringPass::draw(const GridTextures& grid, const Picture& picture) const {
-    const bool on_texture = picture.cloth && picture.texture && !picture.forces;
+namespace {
+
+const glm::vec3 dark(0.012f, 0.015f, 0.022f), light(0.93f, 0.92f, 0.88f);  // linear
+
+}  // namespace
+
+void SpringPass::draw(const GridTextures& grid, const Picture& picture, const FlagTexture& texture) const {
+    const bool chain = grid.columns() == 1 || grid.rows() == 1;
+    const bool on_picture = picture.cloth && picture.texture && texture && !picture.forces && !chain;
+    const bool on_cloth = picture.cloth && !chain;
     shader_.use();
     glBindVertexArray(nothing_.id());
+    shader_.set("grid", glm::ivec2(grid.columns(), grid.rows()));
+    shader_.set("on_picture", on_picture ? 1 : 0);
     shader_.set("by_force", picture.forces ? 1 : 0);
     shader_.set("force_scale", picture.force_scale);
     shader_.set("lift", 0.12f * std::min(picture.cell.x, picture.cell.y));
-
-    const bool chain = grid.columns() == 1 || grid.rows() == 1;
-    const glm::vec3 dark(0.012f, 0.015f, 0.022f), light(0.93f, 0.92f, 0.88f);
-    shader_.set("color", on_texture && !chain ? dark : light);
-    if (chain) shader_.set("color", dark);
+    shader_.set("color", on_cloth ? light : dark);
+    if (on_picture) {
+        glActiveTexture(GL_TEXTURE3);
+        glBindTexture(GL_TEXTURE_2D, texture.id());
+    }
 
     // Diagonals first, thinner: the structure stays readable on top.
     if (picture.diagonals) {
-        shader_.set("width", picture.forces ? 1.5f : 1.1f);
-        shader_.set("opacity", picture.forces ? 1.0f : 0.55f);
+        shader_.set("width", picture.forces ? 1.5f : 1.2f);
+        shader_.set("opacity", picture.forces ? 0.9f : 0.5f);
         const float diagonal = glm::length(picture.cell);
         draw_kind(grid, {1, 1}, diagonal, picture.diagonal_stiffness);
         draw_kind(grid, {-1, 1}, diagonal, picture.diagonal_stiffness);
     }
-    shader_.set("width", chain ? 2.6f : 1.9f);
-    shader_.set("opacity", on_texture && !chain ? 0.8f : 1.0f);
+    shader_.set("width", chain ? 2.6f : 2.0f);
+    shader_.set("opacity", on_picture ? 0.8f : 1.0f);
     draw_kind(grid, {1, 0}, picture.cell.x, picture.stiffness);
     draw_kind(grid, {0, 1}, picture.cell.y, picture.stiffness);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl_objects.hpp"
+#include "flag_texture.hpp"
 #include "grid_textures.hpp"
 #include "picture.hpp"
 #include "shader.hpp"
@@ -12,7 +13,7 @@ class SpringPass {
 public:
     SpringPass() : nothing_(make_vertex_array()) {}
 
-    void draw(const GridTextures& grid, const Picture& picture) const;
+    void draw(const GridTextures& grid, const Picture& picture, const FlagTexture& texture) const;
 
 private:
     void draw_kind(const GridTextures& grid, glm::ivec2 offset, float rest, float stiffness) const;

@@ -62,7 +62,7 @@ Stage stage_of(const FlagSettings& flag) {
     const float radius = std::clamp(0.014f * e.size, 0.002f, 0.05f);
     Stage stage;
     stage.ground = flag.attach != Attach::none;
-    stage.ground_height = -e.height - 0.62f * std::max(e.size, 0.6f * e.width + 0.4f * e.height);
+    stage.ground_height = -e.height - 0.52f * e.size;
     switch (flag.attach) {
         case Attach::hoist:
         case Attach::grommets:
@@ -88,7 +88,7 @@ Stage stage_of(const FlagSettings& flag) {
 Framing framing_of(const FlagSettings& flag, const Stage& stage) {
     const Extent e = extent_of(flag);
     const float top = 0.22f * e.size;
-    const float bottom = -e.height - 0.46f * e.size;
+    const float bottom = -e.height - 0.60f * e.size;
     return {.centre = {0.5f * e.width, 0.5f * (top + bottom), 0.0f},
             .width = e.width + 0.55f * e.size,
             .height = top - bottom,

@@ -236,8 +236,12 @@ void Widgets::gauge(const char* label, double share, const std::string& text, co
     ImGui::SameLine(left + label_share * (ImGui::GetWindowContentRegionMax().x - left));
     const ImVec4 calm(0.24f, 0.52f, 0.40f, 1.0f), close(0.66f, 0.47f, 0.13f, 1.0f), past(0.72f, 0.22f, 0.20f, 1.0f);
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, share > 1.0 ? past : share > 0.92 ? close : calm);
-    ImGui::ProgressBar(float(std::clamp(share, 0.0, 1.0)), {-1.0f, ImGui::GetTextLineHeight() + 4.0f}, text.c_str());
+    ImGui::ProgressBar(float(std::clamp(share, 0.0, 1.0)), {-1.0f, ImGui::GetTextLineHeight() + 2.0f}, "");
     ImGui::PopStyleColor();
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    ImGui::GetWindowDrawList()->AddText({(low.x + high.x - size.x) / 2.0f, (low.y + high.y - size.y) / 2.0f},
+                                        ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
     note(label, text);
     tip(tip_text);
 }

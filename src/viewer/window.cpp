@@ -132,6 +132,9 @@ std::vector<InputEvent> Window::poll() {
 void Window::swap() {
     glfwSwapBuffers(window_);
 }
+void Window::set_title(const std::string& title) {
+    glfwSetWindowTitle(window_, title.c_str());
+}
 
 glm::ivec2 Window::size() const {
     int width = 0, height = 0;
