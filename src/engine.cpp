@@ -73,9 +73,14 @@ public:
 
     glm::dvec3 moved_since_kept() const override {
         glm::dvec3 moved{0.0};
-        for (int c = 0; c < 3; ++c)
-            for (std::size_t n = 0; n < cloth_.count(); ++n)
-                moved[c] += static_cast<double>(cloth_.component(c)[n]) - static_cast<double>(kept_.component(c)[n]);
+        const auto now = cloth_.view(), before = kept_.view();
+        for (int j = 0; j < physics_.grid.rows; ++j) {
+            using V = Vector<Real>;
+            Triple<V> row{};
+            for (int i = 0; i < cloth_.width(); i += Lanes<V>::width)
+                row = row + (now[j].template position<V>(i) - before[j].template position<V>(i));
+            for (int n = 0; n < Lanes<V>::width; ++n) moved += glm::dvec3(row.x[n], row.y[n], row.z[n]);
+        }
         return moved;
     }
 

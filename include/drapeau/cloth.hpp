@@ -133,6 +133,9 @@ public:
         return {{c[0].data(), c[1].data(), c[2].data(), c[3].data(), c[4].data(), c[5].data()}, stride_, grid_.rows};
     }
 
+    /// The same for reading only; the pointers are not const because rows are one type.
+    Rows<Real> view() const { return const_cast<Cloth*>(this)->view(); }
+
     glm::dvec3 position(int i, int j) const { return triple(0, i, j); }
     glm::dvec3 velocity(int i, int j) const { return triple(3, i, j); }
     void set_position(int i, int j, const glm::dvec3& p) { set_triple(0, i, j, p); }
