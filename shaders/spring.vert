@@ -22,9 +22,9 @@ flat out float half_width;
 const vec3 strongest = vec3(0.80, 0.0, 0.015);
 const vec3 dark = vec3(0.012, 0.015, 0.022);
 const vec3 light = vec3(0.93, 0.92, 0.88);
-const float thinnest = 1.0;       // in units of line width
+const float thinnest = 0.8;       // in units of line width
 const float share_of_cell = 0.15; // a line's width at most, so that small cells stay open
-const float coarse = 5.0;         // mipmap level at which the picture's brightness is looked up
+const float coarse = 2.0;         // mipmap level at which the picture's brightness is looked up
 
 vec3 contrast(vec2 mass) {
     vec3 below = textureLod(picture, mass / vec2(max(grid - 1, ivec2(1))), coarse).rgb;

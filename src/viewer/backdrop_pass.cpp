@@ -4,7 +4,12 @@ namespace drapeau {
 
 namespace {
 
-constexpr int shadow_side = 512;  // pixels
+constexpr int shadow_side = 512;    // pixels
+constexpr int sky_cells = 24 * 24;  // as shaders/sky.vert has them
+constexpr int ground_facets = 48;   // around a ring, as shaders/ground.vert has them
+constexpr int ground_rings = 22;    // out to where the haze hides the last one's edge
+constexpr int slab_facets = 64;
+const glm::vec3 slab_rim(0.68f, 0.65f, 0.60f), slab_middle(0.58f, 0.55f, 0.51f);
 
 }  // namespace
 
@@ -21,8 +26,8 @@ BackdropPass::BackdropPass() : nothing_(make_vertex_array()), shadow_(make_textu
     glBindFramebuffer(GL_FRAMEBUFFER, target_.id());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, shadow_.id(), 0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    shader_.use();
-    shader_.set("shadow_map", 4);
+    ground_shadow_.use();
+    ground_shadow_.set("shadow_map", 4);
 }
 
 void BackdropPass::begin_shadow() const {
@@ -39,12 +44,34 @@ void BackdropPass::end_shadow() const {
     glGenerateMipmap(GL_TEXTURE_2D);
 }
 
-void BackdropPass::draw() const {
-    shader_.use();
+void BackdropPass::draw(const Stage& stage) const {
+    glBindVertexArray(nothing_.id());
+    glDepthMask(GL_FALSE);
+    sky_.use();
+    glDrawArrays(GL_TRIANGLES, 0, 6 * sky_cells);
+    if (stage.ground) draw_ground(stage);
+    glDepthMask(GL_TRUE);
+}
+
+void BackdropPass::draw_ground(const Stage& stage) const {
+    ground_.use();
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * (ground_facets + 1), ground_rings);
+    if (stage.rods.size() == 1) {
+        slab_.use();
+        slab_.set("share", 1.0f);
+        slab_.set("color", slab_rim);
+        glDrawArrays(GL_TRIANGLE_FAN, 0, slab_facets);
+        slab_.set("share", 0.66f);
+        slab_.set("color", slab_middle);
+        glDrawArrays(GL_TRIANGLE_FAN, 0, slab_facets);
+    }
     glActiveTexture(GL_TEXTURE4);
     glBindTexture(GL_TEXTURE_2D, shadow_.id());
-    glBindVertexArray(nothing_.id());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    ground_shadow_.use();
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    glDisable(GL_BLEND);
 }
 
 }  // namespace drapeau

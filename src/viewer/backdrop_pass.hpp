@@ -1,8 +1,9 @@
-// Sky, ground and the shadow upon it, in one pass behind everything else. The shadow is first drawn into a small
-// texture laid on the ground; its mipmaps make the edges soft.
+// Sky, ground, the slab that carries the pole and the shadow upon them, behind everything else. The shadow is first
+// drawn into a small texture laid on the ground; its mipmaps make the edges soft.
 #pragma once
 
 #include "gl_objects.hpp"
+#include "picture.hpp"
 #include "shader.hpp"
 
 namespace drapeau {
@@ -13,10 +14,15 @@ public:
 
     void begin_shadow() const;  // what is drawn until end_shadow falls on the ground
     void end_shadow() const;
-    void draw() const;
+    void draw(const Stage& stage) const;
 
 private:
-    Shader shader_{"backdrop"};
+    void draw_ground(const Stage& stage) const;
+
+    Shader sky_{"sky"};
+    Shader ground_{"ground"};
+    Shader slab_{"slab"};
+    Shader ground_shadow_{"ground_shadow"};
     GlVertexArray nothing_;
     GlTexture shadow_;
     GlFramebuffer target_;

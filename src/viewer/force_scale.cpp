@@ -9,7 +9,7 @@ namespace {
 
 constexpr int most_sampled = 10000;  // springs looked at
 constexpr double least = 1e-6;       // N
-constexpr double fall = 0.985;       // of the level, each batch
+constexpr double fall = 0.96;        // of the level, each batch
 constexpr double hysteresis = 0.7;   // the scale shrinks only when the level is well below it
 
 double rms_force(const Snapshot& s, const Scene& scene) {

@@ -8,7 +8,8 @@ namespace drapeau {
 
 namespace {
 
-constexpr int most_waiting = 3;        // batches in the queue at most: settings take effect at once
+constexpr int most_waiting = 3;        // batches not done when more are asked for: settings take effect at once
+constexpr int most_asked = 15;         // batches at once, after a slow frame
 constexpr double least_window = 0.25;  // s before a factor is shown
 constexpr double window = 1.0;         // s the averages run over
 
@@ -17,7 +18,7 @@ constexpr double window = 1.0;         // s the averages run over
 int Pace::batches(double seconds, int backlog) {
     owed_ += seconds;
     const int due = int(owed_ / batch_seconds);
-    const int granted = std::clamp(due, 0, std::max(0, most_waiting - backlog));
+    const int granted = backlog >= most_waiting ? 0 : std::min(due, most_asked);
     owed_ -= granted * batch_seconds;
     owed_ = std::min(owed_, batch_seconds);
     return granted;

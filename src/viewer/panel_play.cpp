@@ -45,8 +45,8 @@ void draw_play(Session& session, Widgets& widgets) {
     choose_scene(session, widgets);
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     const float third = (ImGui::GetContentRegionAvail().x - 2.0f * spacing) / 3.0f;
-    if (widgets.button(session.paused ? "Go on###pause" : "Pause###pause",
-                       "Stops the clock, and with it the wind. Key Space", third))
+    if (widgets.button("Pause", "Stops the clock, and with it the wind. Key Space", third,
+                       session.paused ? "Go on###pause" : "Pause###pause"))
         session.paused = !session.paused;
     ImGui::SameLine();
     if (widgets.button("Step", "One step of the method, while paused. Key .", third)) session.wishes.step = true;

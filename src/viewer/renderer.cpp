@@ -37,7 +37,7 @@ void Renderer::draw_scene(const Picture& picture, glm::vec2 size) {
     // Opaque things first, so that the backdrop is computed only where it shows.
     if (picture.cloth) cloth_.draw(grid_, picture, texture_);
     solids_.draw(picture.stage);
-    backdrop_.draw();
+    backdrop_.draw(picture.stage);
 
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);

@@ -33,7 +33,7 @@ void SpringPass::draw(const GridTextures& grid, const Picture& picture, const Fl
     // Diagonals first, thinner: the structure stays readable on top.
     if (picture.diagonals) {
         shader_.set("width", picture.forces ? 1.5f : 1.2f);
-        shader_.set("opacity", picture.forces ? 0.9f : 0.5f);
+        shader_.set("opacity", picture.forces ? 0.6f : 0.5f);
         const float diagonal = glm::length(picture.cell);
         draw_kind(grid, {1, 1}, diagonal, picture.diagonal_stiffness);
         draw_kind(grid, {-1, 1}, diagonal, picture.diagonal_stiffness);

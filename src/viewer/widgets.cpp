@@ -206,8 +206,10 @@ bool Widgets::text(const char* label, std::string& value, const char* hint, cons
     return entered;
 }
 
-bool Widgets::button(const char* label, const char* tip_text, float width) {
-    const bool clicked = ImGui::Button(label, {width, 0.0f});
+bool Widgets::button(const char* label, const char* tip_text, float width, const char* shown) {
+    ImGui::PushID(label);
+    const bool clicked = ImGui::Button(shown ? shown : label, {width, 0.0f});
+    ImGui::PopID();
     note(label, "");
     tip(tip_text);
     return clicked;
@@ -217,7 +219,7 @@ bool Widgets::page(const char* label, bool chosen, float width) {
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(chosen ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
     const bool clicked = ImGui::Button(label, {width, 0.0f});
     ImGui::PopStyleColor();
-    note(label, chosen ? "1" : "0");
+    note(("Page: " + std::string(label)).c_str(), chosen ? "1" : "0");
     return clicked;
 }
 
@@ -226,7 +228,7 @@ void Widgets::reading(const char* label, const std::string& value, const char* t
     const float left = ImGui::GetWindowContentRegionMin().x;
     ImGui::SameLine(left + label_share * (ImGui::GetWindowContentRegionMax().x - left));
     ImGui::TextUnformatted(value.c_str());
-    note(label, value);
+    note(("Reading: " + std::string(label)).c_str(), value);
     tip(tip_text);
 }
 
@@ -242,7 +244,7 @@ void Widgets::gauge(const char* label, double share, const std::string& text, co
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     ImGui::GetWindowDrawList()->AddText({(low.x + high.x - size.x) / 2.0f, (low.y + high.y - size.y) / 2.0f},
                                         ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
-    note(label, text);
+    note(("Reading: " + std::string(label)).c_str(), text);
     tip(tip_text);
 }
 

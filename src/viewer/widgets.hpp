@@ -31,7 +31,7 @@ public:
     bool toggle(const char* label, bool& value, const char* tip);
     bool choice(const char* label, int& index, const std::vector<std::string>& names, int origin, const char* tip);
     bool text(const char* label, std::string& value, const char* hint, const char* tip);
-    bool button(const char* label, const char* tip, float width = 0.0f);
+    bool button(const char* label, const char* tip, float width = 0.0f, const char* shown = nullptr);
     bool page(const char* label, bool chosen, float width);
 
     void reading(const char* label, const std::string& value, const char* tip);

@@ -1,0 +1,7 @@
+#version 330 core
+
+uniform vec3 color;
+
+out vec4 shade;
+
+void main() { shade = vec4(color, 1.0); }
