@@ -83,7 +83,7 @@ auto fold(const double mass, const double t, const Terms&... terms) {
 
     [[maybe_unused]] glm::dvec3 acceleration{0.0}, wind{0.0};
     [[maybe_unused]] double drag = 0.0, friction = 0.0;
-    const auto take = [&]<class Term>(const Term& term) {
+    [[maybe_unused]] const auto take = [&]<class Term>(const Term& term) {
         if constexpr (std::same_as<Term, Gravity>) acceleration = term.acceleration;
         if constexpr (std::same_as<Term, AirDrag>) drag = term.d;
         if constexpr (std::same_as<Term, Friction>) friction = term.c_f;

@@ -25,15 +25,18 @@ inline constexpr double shortest_length = 1e-15;
 /// The pair operation of the sweep. With r = 1/l the force is  f = [k + r (c r (dv . d) - k L)] d.
 template <bool damped>
 struct SpringForce {
-    template <class V>
+    static constexpr bool uses_velocity = damped;
+
+    template <class V, class RelativeVelocity>
     DRAPEAU_INLINE static Triple<V> pull(const SpringRow<typename Lanes<V>::Real>& spring, int i, const Triple<V>& d,
-                                         const Triple<V>& dv) {
+                                         [[maybe_unused]] const RelativeVelocity& dv) {
         using L = Lanes<V>;
         constexpr auto floor = static_cast<typename L::Real>(shortest_length * shortest_length);
 
         const V r = inverse_sqrt<V>(d.x * d.x + (d.y * d.y + (d.z * d.z + floor)));
-        V tension_over_r = L::broadcast(0) - L::load(spring.k_length + i);
-        if constexpr (damped) tension_over_r = (L::load(spring.c + i) * r) * dot(dv, d) - L::load(spring.k_length + i);
+        V tension_over_r = L::broadcast(0);
+        if constexpr (damped) tension_over_r = (L::load(spring.c + i) * r) * dot(dv, d);
+        tension_over_r = tension_over_r - L::load(spring.k_length + i);
         return (L::load(spring.k + i) + r * tension_over_r) * d;
     }
 };

@@ -59,6 +59,11 @@ private:
     Array<Real> all_;
 };
 
+/// What a pair operation that looks at no velocity (Pair::uses_velocity) is given instead: nothing is loaded.
+struct NoVelocity {
+    friend constexpr NoVelocity operator-(NoVelocity, NoVelocity) { return {}; }
+};
+
 /// One pass of the sweep. Give it the rows in order: begin(), then row(...) for each.
 /// Pair: the operation on a pair of masses (SpringForce); diagonals: whether diagonal springs exist.
 template <class V, class Pair, bool diagonals>
@@ -91,19 +96,27 @@ public:
     }
 
 private:
+    DRAPEAU_INLINE static auto velocity(const Row<Real>& row, int i) {
+        if constexpr (Pair::uses_velocity)
+            return row.template velocity<V>(i);
+        else
+            return NoVelocity{};
+    }
+
     template <bool has_next, class Finish>
     DRAPEAU_INLINE void pull(const Row<Real>& here, const Row<Real>& next, Finish&& finish) {
         Triple<V> right_before{}, falling_before{};
         for (int i = 0; i < width_; i += Lanes<V>::width) {
-            const auto x = here.template position<V>(i), v = here.template velocity<V>(i);
-            const auto x_right = here.template position<V>(i + 1), v_right = here.template velocity<V>(i + 1);
+            const auto x = here.template position<V>(i), x_right = here.template position<V>(i + 1);
+            const auto v = velocity(here, i), v_right = velocity(here, i + 1);
 
             const auto fly = Pair::template pull<V>(springs_.fly, i, x_right - x, v_right - v);
             auto own = waiting_.template at<V>(i) + fly;
             auto right = Triple<V>{} - fly;
 
             if constexpr (has_next) {
-                const auto x_below = next.template position<V>(i), v_below = next.template velocity<V>(i);
+                const auto x_below = next.template position<V>(i);
+                const auto v_below = velocity(next, i);
                 const auto hoist = Pair::template pull<V>(springs_.hoist, i, x_below - x, v_below - v);
                 own = own + hoist;
                 auto below = Triple<V>{} - hoist;
@@ -112,7 +125,8 @@ private:
                         Pair::template pull<V>(springs_.diagonal, i, x_below - x_right, v_below - v_right);
                     right = right + rising;
                     below = below - rising;
-                    const auto x_corner = next.template position<V>(i + 1), v_corner = next.template velocity<V>(i + 1);
+                    const auto x_corner = next.template position<V>(i + 1);
+                    const auto v_corner = velocity(next, i + 1);
                     const auto falling = Pair::template pull<V>(springs_.diagonal, i, x_corner - x, v_corner - v);
                     own = own + falling;
                     below = below - shifted(falling_before, falling);
