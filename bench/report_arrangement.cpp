@@ -11,7 +11,7 @@ inline vec3 spring_force(const vec3& x, const vec3& v, const vec3& x_other, cons
     const vec3 d = x_other - x;
     const Real l = glm::length(d);
     if (l < static_cast<Real>(shortest_length)) return vec3(0);
-    const vec3 e = d / l;
+    const vec3 e = d * (1 / l);
     return (k * (l - rest_length) + c * glm::dot(v_other - v, e)) * e;
 }
 
@@ -47,33 +47,33 @@ void ReportArrangement<Real>::set(int i, int j, const glm::dvec3& position, cons
 }
 
 template <class Real>
-inline void ReportArrangement<Real>::pull(Mass& from, Mass& to, const Spring& spring) {
-    const vec3 f = spring_force<Real>(from.position, from.velocity, to.position, to.velocity, spring.stiffness,
-                                      spring.damping, spring.length);
-    from.force += f;
-    to.stored_force -= f;
-}
-
-template <class Real>
 inline void ReportArrangement<Real>::compute_force(int i, int j) {
     Mass& here = mass(i, j);
-    here.force = mass_ * gravity_ - drag_ * here.velocity + drag_ * wind_ + here.stored_force;
-    here.stored_force = vec3(0);
+    const vec3 x = here.position, v = here.velocity;
+    vec3 force = mass_ * gravity_ - drag_ * v + drag_ * wind_ + here.stored_force;
 
     // Of its eight neighbours, those to the right and below have computed their springs to this mass already.
+    const auto pull = [&](Mass& other, const Spring spring) {
+        const vec3 f =
+            spring_force<Real>(x, v, other.position, other.velocity, spring.stiffness, spring.damping, spring.length);
+        force += f;
+        other.stored_force -= f;
+    };
     const bool has_left = i > 0, has_right = i + 1 < columns_, has_above = j > 0;
-    if (has_left) pull(here, mass(i - 1, j), along_fly_);
-    if (has_above) pull(here, mass(i, j - 1), down_hoist_);
+    if (has_left) pull(mass(i - 1, j), along_fly_);
+    if (has_above) pull(mass(i, j - 1), down_hoist_);
     if (diagonals_) {
-        if (has_left && has_above) pull(here, mass(i - 1, j - 1), diagonal_);
-        if (has_right && has_above) pull(here, mass(i + 1, j - 1), diagonal_);
+        if (has_left && has_above) pull(mass(i - 1, j - 1), diagonal_);
+        if (has_right && has_above) pull(mass(i + 1, j - 1), diagonal_);
     }
+    here.force = force;
+    here.stored_force = vec3(0);
 }
 
 template <class Real>
-inline void ReportArrangement<Real>::move(Mass& mass, Real dt) {
+inline void ReportArrangement<Real>::move(Mass& mass, Real dt) const {
     if (mass.attached) return;
-    mass.velocity += dt * (mass.force / mass_);
+    mass.velocity += dt / mass_ * mass.force;
     mass.position += dt * mass.velocity;
 }
 

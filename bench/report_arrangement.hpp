@@ -45,14 +45,13 @@ private:
         bool attached;
     };
     struct Spring {
-        Real stiffness, damping, length;
+        Real stiffness, damping, length;  // N/m, N s/m, m
     };
 
     Mass& mass(int i, int j) { return masses_[static_cast<std::size_t>(j) * columns_ + i]; }
     const Mass& mass(int i, int j) const { return masses_[static_cast<std::size_t>(j) * columns_ + i]; }
-    void pull(Mass& from, Mass& to, const Spring& spring);
     void compute_force(int i, int j);
-    void move(Mass& mass, Real dt);
+    void move(Mass& mass, Real dt) const;
 
     int columns_, rows_;
     Real mass_;  // kg, of each
