@@ -35,9 +35,7 @@ Look parse(const std::string& text) {
             look.states[fields[1]] = fields[2];
         } else if (fields.size() == 6) {
             const Box box{std::stod(fields[1]), std::stod(fields[2]), std::stod(fields[3]), std::stod(fields[4])};
-            std::string label = fields[0];
-            for (int nth = 2; look.has(label); ++nth) label = fields[0] + " (" + std::to_string(nth) + ")";
-            look.controls[label] = {box, fields[5]};
+            look.controls[fields[0]] = {box, fields[5]};
         }
     }
     return look;
@@ -126,15 +124,16 @@ Look App::wait_until(const std::string& what, const std::function<bool(const Loo
 }
 
 Look App::settle() {
-    // The frame being drawn may have taken its input before; the one after it has seen everything, and ImGui answers
-    // some of it a frame later.
+    // The frame being drawn may have taken its input before; the one after it has seen everything.
     const double now = look().number("frame");
-    return wait_until("another frame", [now](const Look& look) { return look.number("frame") >= now + 3; });
+    return wait_until("another frame", [now](const Look& look) { return look.number("frame") >= now + 2; });
 }
 
 void App::give_up(const std::string& why) {
     std::string states;
-    for (const auto& [name, value] : look().states) states += "\n  " + name + ": " + value;
+    const Look last = look();
+    for (const auto& [name, value] : last.states) states += "\n  " + name + ": " + value;
+    for (const auto& [name, control] : last.controls) states += "\n  [" + name + "] " + control.value;
     throw std::runtime_error(why + "\nIt wrote: " + process_->errors() + "\nIt last told:" + states);
 }
 
@@ -200,14 +199,8 @@ void App::resize(int width, int height) {
 }
 
 Control App::find(const std::string& label) {
-    const Look now = look();
-    const auto found = now.controls.find(label);
-    if (found == now.controls.end()) {
-        std::string labels;
-        for (const auto& [name, control] : now.controls) labels += "\n  " + name;
-        give_up("there is no '" + label + "' among the controls:" + labels);
-    }
-    return found->second;
+    return wait_until("the control '" + label + "'", [&](const Look& look) { return look.has(label); })
+        .controls.at(label);
 }
 
 void App::show(const std::string& label) {
@@ -233,7 +226,11 @@ void App::set(const std::string& label, bool on) {
 
 void App::type(const std::string& label, const std::string& text) {
     click(label);
-    hold("ctrl+a");
+    // Control is let go last: a key that is down longer than the keyboard's repeat delay would type.
+    screen_.xdotool({"keydown", "ctrl"});
+    hold("a");
+    screen_.xdotool({"keyup", "ctrl"});
+    settle();
     screen_.xdotool({"type", "--delay", "20", text});
     wait_until("'" + label + "' to hold what was typed",
                [&](const Look& look) { return look.has(label) && look.controls.at(label).value == text; });
@@ -241,6 +238,7 @@ void App::type(const std::string& label, const std::string& text) {
 }
 
 Image App::picture() {
+    move_to({1.0, 1.0});  // off every control, for a tooltip would be in the picture
     const std::string size = settle().text("window");
     const Image screen = screen_.picture();
     Image window;

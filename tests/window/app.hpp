@@ -35,7 +35,7 @@ struct Control {
 /// What the window says about itself in one frame; the format is told in src/viewer/ui_map.hpp.
 struct Look {
     std::map<std::string, std::string> states;
-    std::map<std::string, Control> controls;  // the second of a label is "label (2)"
+    std::map<std::string, Control> controls;
 
     const std::string& text(const std::string& state) const;
     double number(const std::string& state) const;

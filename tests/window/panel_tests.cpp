@@ -12,7 +12,7 @@ namespace {
 struct StillFlag {
     Screen screen;
     TemporaryFolder folder;
-    App app{screen, {written(folder, "still.toml", still_scene), "--size", "1000x900"}};
+    App app{screen, {written(folder, "still.toml", still_scene), "--size", "900x640"}};
 
     /// The flag below the message box.
     Box clear_of_messages() {
@@ -63,7 +63,7 @@ TEST_CASE_METHOD(StillFlag, "a broken scene gives a message and leaves the flag 
         written(folder, "binary.toml", std::string("\0\x7f\xff\0", 4)),
     };
     const Box box = clear_of_messages();
-    app.click("Time");
+    app.click("Page: Time");
     app.show("Scene file");
     app.wait_until("the page", [](const Look& look) { return look.has("Scene file"); });
     const drapeau::Image before = app.picture();
@@ -152,7 +152,7 @@ TEST_CASE_METHOD(StillFlag, "dragging a slider sets the grid and does not turn t
 
 TEST_CASE("the clock stops, goes on by steps, and begins anew") {
     const Screen screen;
-    App app(screen, {"report", "--size", "800x600"});
+    App app(screen, {"report", "--size", "900x640"});
     app.wait_until("time to pass", [](const Look& look) { return look.number("time") > 0.05; });
     app.press("space");
     const Look paused = app.wait_until("the pause", [](const Look& look) { return look.number("paused") == 1; });
@@ -175,7 +175,7 @@ TEST_CASE("a run that comes apart stops on its last good frame and names a step 
     // 1/60 s is about three times the limit of these springs; a first unevenness is all it needs.
     std::string scene = hanging_scene;
     scene.replace(scene.find("dt = \"auto\""), std::string("dt = \"auto\"").size(), "dt = 0.0166");
-    App app(screen, {written(folder, "apart.toml", scene), "--size", "1000x700"});
+    App app(screen, {written(folder, "apart.toml", scene), "--size", "900x640"});
     const Look apart =
         app.wait_until("the end of the run", [](const Look& look) { return look.number("diverged") == 1; });
     CHECK(apart.text("message").find("limit") != std::string::npos);

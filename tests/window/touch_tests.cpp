@@ -16,7 +16,7 @@ namespace {
 struct StillFlag {
     Screen screen;
     TemporaryFolder folder;
-    App app{screen, {written(folder, "still.toml", still_scene), "--size", "1000x700"}};
+    App app{screen, {written(folder, "still.toml", still_scene), "--size", "900x640"}};
 };
 
 /// A place on the panel where there is no control.
@@ -102,7 +102,7 @@ TEST_CASE_METHOD(StillFlag, "the wheel brings the flag nearer, a right drag move
 
 TEST_CASE_METHOD(StillFlag, "the picture follows the window's size") {
     app.settle();
-    for (const auto& [width, height] : {std::pair{820, 520}, std::pair{400, 300}, std::pair{1150, 900}}) {
+    for (const auto& [width, height] : {std::pair{820, 520}, std::pair{1150, 700}, std::pair{640, 800}}) {
         CAPTURE(width, height);
         app.resize(width, height);
         const std::string size = std::to_string(width) + "x" + std::to_string(height);
