@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -51,8 +50,9 @@ std::size_t typing_errors(std::string_view from, std::string_view to) {
 }  // namespace
 
 std::string shortest(double value) {
-    // Whole numbers stay free of exponents: 1000000, not 1e+06.
-    if (std::abs(value) < 1e15 && value == std::trunc(value)) return as_chars(static_cast<std::int64_t>(value));
+    // Numbers of everyday size stay free of exponents: 1000000 and 0.0001, not 1e+06 and 1e-04.
+    if (value == 0.0) return "0";
+    if (std::abs(value) >= 1e-5 && std::abs(value) < 1e15) return as_chars(value, std::chars_format::fixed);
     return as_chars(value);
 }
 

@@ -71,10 +71,13 @@ int main(int count, char** arguments) {
     } catch (const CLI::Success& help_or_version) {
         return finish_output(app.exit(help_or_version));
     } catch (const CLI::ParseError& error) {
+        if (count == 1) return complain("a command is required: run or scenes (drapeau-lab --help says more)");
         return complain(one_line(error.what(), 300) + " (drapeau-lab --help says more)");
     } catch (const InputError& error) {
         return complain(error.what());
     } catch (const std::bad_alloc&) {
         return complain("not enough memory for this scene");
+    } catch (const std::exception& error) {  // what the file system may still say
+        return complain(one_line(error.what(), 300));
     }
 }

@@ -57,6 +57,11 @@ std::optional<long long> whole_count(double seconds, double step) {
     return std::llround(count);
 }
 
+/// A number a person may type, free of the rounding of the last binary digits.
+std::string decimal(double value) {
+    return shortest(number_in(rounded(value, 12)).value_or(value));
+}
+
 /// How the time is filled: whole batches as the window does, or so many steps of one length.
 struct Plan {
     long long batches = 0;
@@ -69,8 +74,8 @@ Plan plan_for(const Scene& scene, double seconds, const std::string& given_secon
         if (const auto steps = whole_count(seconds, *dt)) return {0, *steps, dt};
         const double below = std::floor(seconds / *dt);
         throw InputError("--seconds = " + one_line(given_seconds, 60) + ": a whole number of steps of " +
-                         shortest(*dt) + " s is allowed, such as " + rounded(below * *dt, 12) + " or " +
-                         rounded((below + 1.0) * *dt, 12));
+                         shortest(*dt) + " s is allowed, such as " + decimal(below * *dt) + " or " +
+                         decimal((below + 1.0) * *dt));
     }
     if (const auto batches = whole_count(seconds, batch_seconds)) return {*batches, 0, {}};
     // Equal steps, none longer than the automatic one.
@@ -186,11 +191,10 @@ std::vector<Result> results_of(const Simulation& simulation, const Cost& cost,
     return results;
 }
 
-/// The same place by whatever name; false for devices, which are not harmed by being written twice.
+/// The same place by whatever name.
 bool is_same_file(const std::string& one, const std::string& other) {
     namespace fs = std::filesystem;
     std::error_code ignored;
-    if (fs::is_other(one, ignored)) return false;
     return fs::equivalent(one, other, ignored) ||
            fs::weakly_canonical(one, ignored) == fs::weakly_canonical(other, ignored);
 }
@@ -204,7 +208,9 @@ void check_outputs(const RunOptions& options) {
     for (const Output& output : {Output{"--state", options.state}, {"--json", options.json}, {"--csv", options.csv}}) {
         if (output.file.empty()) continue;
         for (const Output& earlier : named) {
-            if (!is_same_file(earlier.file, output.file)) continue;
+            // A device takes what it is given, twice too.
+            std::error_code ignored;
+            if (std::filesystem::is_other(output.file, ignored) || !is_same_file(earlier.file, output.file)) continue;
             throw InputError(output.option + " = " + one_line(output.file, 1000) + ": the same file as " +
                              earlier.option);
         }

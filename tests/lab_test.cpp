@@ -1,0 +1,383 @@
+// Laws of the laboratory's command line, seen as a user sees them: arguments, outputs, exit status.
+#include "catch.hpp"
+
+#include "scene_file.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <sstream>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace drapeau;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path lab = fs::read_symlink("/proc/self/exe").parent_path() / "drapeau-lab";
+
+std::string contents(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+struct Outcome {
+    int status = -1;
+    std::string output;    // standard output
+    std::string messages;  // standard error
+};
+
+/// A folder of its own in which the laboratory runs.
+struct Bench {
+    fs::path path = fs::temp_directory_path() / ("drapeau-lab-" + std::to_string(std::random_device{}()));
+    Bench() { fs::create_directories(path); }
+    ~Bench() { fs::remove_all(path); }
+
+    void write(const std::string& name, const std::string& text) const { std::ofstream(path / name) << text; }
+
+    Outcome run(const std::string& arguments, const std::string& under = "timeout 60 ") const {
+        const std::string command =
+            "cd '" + path.string() + "' && " + under + "'" + lab.string() + "' " + arguments + " 2>.messages";
+        Outcome outcome;
+        std::FILE* pipe = popen(command.c_str(), "r");
+        std::array<char, 4096> block;
+        for (std::size_t n; (n = std::fread(block.data(), 1, block.size(), pipe)) > 0;)
+            outcome.output.append(block.data(), n);
+        outcome.status = WEXITSTATUS(pclose(pipe));
+        outcome.messages = contents(path / ".messages");
+        fs::remove(path / ".messages");
+        return outcome;
+    }
+
+    std::vector<std::string> files() const {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::directory_iterator(path)) names.push_back(entry.path().filename().string());
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+};
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// Bad input as it should be: status 2, one line on standard error that says this, nothing on standard output.
+void check_refused(const Outcome& outcome, const std::string& part) {
+    INFO("status " << outcome.status << ", messages: " << outcome.messages);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.output.empty());
+    CHECK(outcome.messages.starts_with("drapeau-lab: "));
+    CHECK(std::count(outcome.messages.begin(), outcome.messages.end(), '\n') == 1);
+    CHECK(has(outcome.messages, part));
+}
+
+struct StateLine {
+    int column, row;
+    glm::dvec3 x, v;
+};
+
+std::vector<StateLine> state_in(const fs::path& file) {
+    std::istringstream lines(contents(file));
+    std::string line;
+    std::getline(lines, line);
+    REQUIRE(line == "column,row,x,y,z,vx,vy,vz");
+    std::vector<StateLine> state;
+    while (std::getline(lines, line)) {
+        StateLine mass{};
+        char more = 0;
+        const int read = std::sscanf(line.c_str(), "%d,%d,%lf,%lf,%lf,%lf,%lf,%lf%c", &mass.column, &mass.row,
+                                     &mass.x.x, &mass.x.y, &mass.x.z, &mass.v.x, &mass.v.y, &mass.v.z, &more);
+        REQUIRE(read == 8);
+        state.push_back(mass);
+    }
+    return state;
+}
+
+const std::string two_masses = R"(
+[flag]
+columns = 1
+rows = 2
+height = 0.5
+attach = "top"
+[springs]
+mass = 0.02
+stiffness = 40
+damping = 0.01
+drag = 0.03
+friction = 0.005
+[gravity]
+[wind]
+velocity = [3, 0.5, -2]
+)";
+
+const std::string sheet = R"(
+[flag]
+columns = 4
+rows = 3
+width = 0.6
+height = 0.4
+[springs]
+mass = 0.01
+stiffness = 100
+diagonal_stiffness = 50
+[gravity]
+)";
+
+}  // namespace
+
+TEST_CASE("the state file of two masses follows the recurrence of the method") {
+    const Bench bench;
+    bench.write("two.toml", two_masses);
+    for (const std::string method : {"semi-implicit-euler", "forward-euler"}) {
+        const auto outcome =
+            bench.run("run two.toml --seconds 0.3 --dt 0.0005 --precision double --state s.csv --method " + method);
+        INFO(outcome.messages);
+        REQUIRE(outcome.status == 0);
+
+        // One mass below a fixed one: m a = m g + d (w - v) - c_f v - [k (l - L) + c v.e] e.
+        const double m = 0.02, k = 40.0, c = 0.01, d = 0.03, c_f = 0.005, L = 0.5, dt = 0.0005;
+        const glm::dvec3 g(0.0, -9.8, 0.0), w(3.0, 0.5, -2.0);
+        glm::dvec3 x(0.0, -L, 0.0), v(0.0);
+        for (int step = 0; step < 600; ++step) {
+            const double l = glm::length(x);
+            const glm::dvec3 e = x / l;
+            const glm::dvec3 a = g + (d * (w - v) - c_f * v - (k * (l - L) + c * glm::dot(v, e)) * e) / m;
+            if (method == "forward-euler") {
+                x += dt * v;
+                v += dt * a;
+            } else {
+                v += dt * a;
+                x += dt * v;
+            }
+        }
+
+        const auto state = state_in(bench.path / "s.csv");
+        REQUIRE(state.size() == 2);
+        CHECK(state[0].row == 0);
+        CHECK(state[0].x == glm::dvec3(0.0));
+        CHECK(state[0].v == glm::dvec3(0.0));
+        CHECK(state[1].column == 0);
+        CHECK(state[1].row == 1);
+        // 600 steps of rounding in double, of values of order one.
+        CHECK(glm::length(state[1].x - x) < 1e-12);
+        CHECK(glm::length(state[1].v - v) < 1e-11);
+    }
+}
+
+TEST_CASE("the state file lists every mass row by row, and of a run of no time where it begins") {
+    const Bench bench;
+    bench.write("sheet.toml", sheet);
+    REQUIRE(bench.run("run sheet.toml --seconds 0 --state s.csv").status == 0);
+    const auto state = state_in(bench.path / "s.csv");
+    REQUIRE(state.size() == 12);
+    for (std::size_t n = 0; n < state.size(); ++n) {
+        CHECK(state[n].column == static_cast<int>(n) % 4);
+        CHECK(state[n].row == static_cast<int>(n) / 4);
+        // Columns 0.2 m apart, rows 0.2 m apart, in float.
+        CHECK(state[n].x.x == Approx(0.2 * static_cast<double>(n % 4)).epsilon(1e-6).margin(1e-9));
+        CHECK(state[n].x.y == Approx(-0.2 * static_cast<double>(n / 4)).epsilon(1e-6).margin(1e-9));
+        CHECK(state[n].v == glm::dvec3(0.0));
+    }
+}
+
+TEST_CASE("digits of a state file are the fewest that read back to the same float") {
+    const Bench bench;
+    bench.write("sheet.toml", sheet);
+    REQUIRE(bench.run("run sheet.toml --seconds 0 --state s.csv").status == 0);
+    CHECK(has(contents(bench.path / "s.csv"), "\n1,0,0.2,0,0,0,0,0\n"));
+}
+
+TEST_CASE("the same run gives the same state file and hash") {
+    const Bench bench;
+    REQUIRE(bench.run("run storm --seconds 0.1 --state a.csv --json a.json").status == 0);
+    REQUIRE(bench.run("run storm --seconds 0.1 --state b.csv --json b.json").status == 0);
+    CHECK(contents(bench.path / "a.csv") == contents(bench.path / "b.csv"));
+    const auto hash = [&](const std::string& file) {
+        const std::string json = contents(bench.path / file);
+        return json.substr(json.find("state_hash"), 34);
+    };
+    CHECK(hash("a.json") == hash("b.json"));
+}
+
+TEST_CASE("results are a table for a person, a JSON object and a CSV row for programs") {
+    const Bench bench;
+    const auto outcome = bench.run("run storm --seconds 0.1 --dt 0.0001 --json r.json --csv r.csv");
+    REQUIRE(outcome.status == 0);
+    CHECK(outcome.messages.empty());  // no progress bar in a pipe
+    for (const std::string part :
+         {"Storm", "50 x 30", "semi-implicit-euler", "float", "0.1000 s", "1000", "% of the stability limit", "ms",
+          "real-time factor", " J", " %", " N", "state hash"}) {
+        INFO(part << " in " << outcome.output);
+        CHECK(has(outcome.output, part));
+    }
+
+    const std::string json = contents(bench.path / "r.json");
+    CHECK(json.starts_with("{\n  \"scene\": \"Storm\",\n"));
+    CHECK(json.ends_with("\"diverged\": false\n}\n"));
+    CHECK(has(json, "\"steps\": 1000,"));
+    CHECK(has(json, "\"dt_s\": 0.0001,"));
+    CHECK(has(json, "\"time_s\": 0.1,"));
+
+    std::istringstream csv(contents(bench.path / "r.csv"));
+    std::string header, row, more;
+    std::getline(csv, header);
+    std::getline(csv, row);
+    CHECK(header.starts_with("scene,columns,rows,method,precision,time_s,steps,dt_s,"));
+    CHECK(row.starts_with("\"Storm\",50,30,\"semi-implicit-euler\",\"float\",0.1,1000,0.0001,"));
+    CHECK(std::count(header.begin(), header.end(), ',') == std::count(row.begin(), row.end(), ','));
+    CHECK_FALSE(std::getline(csv, more));
+}
+
+TEST_CASE("a numeric step is used as given, and the time is a whole number of such steps") {
+    const Bench bench;
+    // Decimal input: 0.3/0.0001 is not 3000 in binary.
+    const auto good = bench.run("run spring --seconds 0.3 --dt 0.0001 --json r.json");
+    CHECK(good.status == 0);
+    CHECK(has(contents(bench.path / "r.json"), "\"steps\": 3000,"));
+    check_refused(bench.run("run spring --seconds 1 --dt 0.0003"),
+                  "--seconds = 1: a whole number of steps of 0.0003 s is allowed, such as 0.9999");
+    check_refused(bench.run("run spring --seconds 1 --dt 0.0003"), "1.0002");
+}
+
+TEST_CASE("with dt auto any time is filled with equal steps within the stability limit") {
+    const Bench bench;
+    bench.write("sheet.toml", sheet);
+    for (const std::string seconds : {"0.5", "0.123", "0.0001"}) {
+        const auto outcome = bench.run("run sheet.toml --dt auto --state s.csv --csv r.csv --seconds " + seconds);
+        REQUIRE(outcome.status == 0);
+        std::istringstream csv(contents(bench.path / "r.csv"));
+        std::string line, cell;
+        std::getline(csv, line);
+        std::getline(csv, line);
+        std::istringstream row(line);
+        std::vector<double> cells;
+        while (std::getline(row, cell, ',')) cells.push_back(std::atof(cell.c_str()));
+        const double time = cells[5], steps = cells[6], dt = cells[7], limit = cells[8];
+        CHECK(time == Approx(std::atof(seconds.c_str())).epsilon(1e-12));
+        CHECK(steps * dt == Approx(time).epsilon(1e-12));
+        CHECK(dt <= 0.9 * limit * (1.0 + 1e-12));
+    }
+}
+
+TEST_CASE("a run that diverges says which limit it broke, which step is safe, and writes no state") {
+    const Bench bench;
+    bench.write("sheet.toml", sheet);
+    const auto outcome = bench.run("run sheet.toml --seconds 100 --dt 0.02 --state s.csv --json r.json");
+    INFO(outcome.messages);
+    CHECK(outcome.status == 3);
+    CHECK(has(outcome.messages, "stability limit"));
+    CHECK(has(outcome.messages, "is safe"));
+    CHECK(std::count(outcome.messages.begin(), outcome.messages.end(), '\n') == 1);
+    CHECK(bench.files() == std::vector<std::string>{"r.json", "sheet.toml"});
+    CHECK(has(contents(bench.path / "r.json"), "\"diverged\": true"));
+    // A step a million times too large.
+    CHECK(bench.run("run storm --seconds 1000 --dt 100").status == 3);
+}
+
+TEST_CASE("a bad command line is refused in one line") {
+    const Bench bench;
+    bench.write("sheet.toml", sheet);
+    bench.write("broken.toml", "[flag]\ncolumns = 0\n[springs]\nmass = 1\nstiffness = 1\n");
+    check_refused(bench.run(""), "command is required");
+    check_refused(bench.run("fly"), "fly");
+    check_refused(bench.run("run"), "SCENE");
+    check_refused(bench.run("run storm"), "--seconds");
+    check_refused(bench.run("run storm --seconds"), "--seconds");
+    check_refused(bench.run("run storm --seconds 1 --speed 3"), "--speed");
+    check_refused(bench.run("run storm calm --seconds 1"), "calm");
+    check_refused(bench.run("run no-such --seconds 1"), "no-such: no such file or shipped scene");
+    check_refused(bench.run("run \"$(printf 'a\\nb')\" --seconds 1"), "a?b");
+    check_refused(bench.run("run . --seconds 1"), "folder");
+    check_refused(bench.run("run /dev/zero --seconds 1"), "1.0 MiB");
+    check_refused(bench.run("run broken.toml --seconds 1"),
+                  "broken.toml:2: flag.columns = 0: a whole number from 1 to 4096 is allowed");
+    for (const std::string seconds : {"-1", "nan", "inf", "1e300", "abc", "1s", "''", "1e-30"}) {
+        check_refused(bench.run("run storm --seconds " + seconds), "--seconds = ");
+    }
+    for (const std::string dt : {"-1", "0", "nan", "inf", "1e300", "fast"}) {
+        check_refused(bench.run("run storm --seconds 1 --dt " + dt), "--dt = " + dt);
+    }
+    check_refused(bench.run("run storm --seconds 1 --method rk5"), "--method = \"rk5\": \"forward-euler\" or");
+    check_refused(bench.run("run storm --seconds 1 --method rk4"), "not available in this version");
+    check_refused(bench.run("run storm --seconds 1 --precision half"), "\"float\" or \"double\"");
+    // No drag: explicit Euler has no stable step.
+    check_refused(bench.run("run sheet.toml --seconds 1 --method forward-euler"), "auto");
+}
+
+TEST_CASE("an output that cannot be written is found before anything is computed") {
+    const Bench bench;
+    bench.write("sheet.toml", sheet);
+    // These would take days.
+    const std::string long_run = "run storm --seconds 100000 --dt 0.0001 ";
+    for (const std::string option : {"--state", "--json", "--csv"}) {
+        check_refused(bench.run(long_run + option + " no/such/folder/file"), "no/such/folder/file: cannot be written");
+        check_refused(bench.run(long_run + option + " ."), "folder");
+    }
+    check_refused(bench.run(long_run + "--state /proc/none"), "/proc/none");
+    check_refused(bench.run(long_run + "--state a --json a"), "--json = a: the same file as --state");
+    check_refused(bench.run("run sheet.toml --seconds 100000 --dt 0.0001 --state ./sheet.toml"),
+                  "the same file as the scene");
+    CHECK(contents(bench.path / "sheet.toml") == sheet);
+    CHECK(bench.files() == std::vector<std::string>{"sheet.toml"});
+}
+
+TEST_CASE("a full disk is an error") {
+    const Bench bench;
+    check_refused(bench.run("run spring --seconds 0.1 --state /dev/full"),
+                  "/dev/full: cannot be written: No space left");
+    check_refused(bench.run("run spring --seconds 0.1 --json /dev/full"), "/dev/full");
+    check_refused(bench.run("run spring --seconds 0.1 >/dev/full"), "No space left");
+}
+
+TEST_CASE("a file asked for on standard output is alone there") {
+    const Bench bench;
+    const auto outcome = bench.run("run spring --seconds 0.1 --state /dev/stdout");
+    CHECK(outcome.status == 0);
+    CHECK(outcome.output.starts_with("column,row,x,y,z,vx,vy,vz\n0,0,"));
+    CHECK_FALSE(has(outcome.output, "state hash"));
+    CHECK(has(outcome.messages, "state hash"));
+}
+
+TEST_CASE("a file is replaced whole, through its links, or left as it was") {
+    const Bench bench;
+    bench.write("old.csv", "what was there before");
+    fs::create_symlink("old.csv", bench.path / "link.csv");
+    check_refused(bench.run("run spring --seconds 1 --dt 0.3 --state link.csv"), "--seconds");
+    CHECK(contents(bench.path / "old.csv") == "what was there before");
+    REQUIRE(bench.run("run spring --seconds 0.1 --state link.csv").status == 0);
+    CHECK(fs::is_symlink(bench.path / "link.csv"));
+    CHECK(state_in(bench.path / "old.csv").size() == 2);
+    CHECK(bench.files() == std::vector<std::string>{"link.csv", "old.csv"});
+}
+
+TEST_CASE("an interrupted run leaves no file behind") {
+    const Bench bench;
+    bench.write("old.csv", "what was there before");
+    // Ctrl-C after half a second, of a run that would take hours.
+    const auto outcome = bench.run("run storm --seconds 100000 --dt 0.0001 --state old.csv --json new.json",
+                                   "timeout --preserve-status --signal=INT 0.5 ");
+    CHECK(outcome.status == 128 + SIGINT);
+    CHECK(contents(bench.path / "old.csv") == "what was there before");
+    CHECK(bench.files() == std::vector<std::string>{"old.csv"});
+}
+
+TEST_CASE("help, version and the list of scenes are for standard output and succeed") {
+    const Bench bench;
+    for (const std::string arguments : {"--help", "run --help", "--version", "scenes"}) {
+        const auto outcome = bench.run(arguments);
+        INFO(arguments << outcome.messages);
+        CHECK(outcome.status == 0);
+        CHECK(outcome.messages.empty());
+        CHECK_FALSE(outcome.output.empty());
+    }
+    CHECK(has(bench.run("run --help").output, "whole number of such steps"));
+    CHECK(bench.run("scenes").output.starts_with("report\nbanner\nbreeze\ncalm\n"));
+}
