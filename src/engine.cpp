@@ -49,16 +49,20 @@ public:
         for (int n = 0; n < most_steps_a_pass; ++n) buffers_.emplace_back(cloth_.width());
     }
 
-    void advance(double start, double dt, long long count) override {
+    bool advance(double start, double dt, long long count, const std::atomic<bool>* abandon) override {
         std::array<Ambient<Real>, most_steps_a_turn> ambient;
+        constexpr long long mass_steps_a_turn = 10'000'000;  // some hundredths of a second
+        const auto longest_turn = std::clamp(mass_steps_a_turn / physics_.grid.masses(), 1LL, 0LL + most_steps_a_turn);
         for (long long done = 0; done < count;) {
-            const int steps = static_cast<int>(std::min<long long>(most_steps_a_turn, count - done));
+            if (abandon && abandon->load(std::memory_order_relaxed)) return false;
+            const int steps = static_cast<int>(std::min(longest_turn, count - done));
             for (int n = 0; n < steps; ++n)
                 ambient[n] = fold<Real>(physics_.material.mass, start + static_cast<double>(done + n) * dt,
                                         physics_.gravity, physics_.drag, physics_.friction, physics_.wind);
             turn(ambient.data(), steps, static_cast<Real>(dt));
             done += steps;
         }
+        return true;
     }
 
     void use_threads(int threads) override {

@@ -9,7 +9,7 @@
 
 #include <glm/vec3.hpp>
 
-#include <span>
+#include <atomic>
 
 namespace drapeau {
 
@@ -38,8 +38,9 @@ class Engine {
 public:
     virtual ~Engine() = default;
 
-    /// Advances `count` steps of dt (s); step n of them starts at time start + n * dt.
-    virtual void advance(double start, double dt, long long count) = 0;
+    /// Advances `count` steps of dt (s); step n of them starts at time start + n * dt. Looks at `abandon` every few
+    /// hundredths of a second and returns false, somewhere in between, once it is set.
+    virtual bool advance(double start, double dt, long long count, const std::atomic<bool>* abandon = nullptr) = 0;
     /// How many threads may share the work; small cloths stay on one, where a second would not pay.
     virtual void use_threads(int threads) = 0;
     /// Keeps the state aside, and returns to what was kept.

@@ -60,17 +60,17 @@ struct Simulation::Run {
 
     double time() const { return segment_start + static_cast<double>(steps - segment_first) * dt; }
 
-    std::optional<Divergence> advance(long long count) {
+    std::optional<Divergence> advance(long long count, const std::atomic<bool>* abandon) {
         const double start = time();
         engine->keep();
-        engine->advance(start, dt, count);
-        const auto moved = engine->moved_since_kept();
-        const double span = static_cast<double>(count) * dt;
-        const auto wind = physics.wind.wind.velocity(start + 0.5 * span);
-        budget.add_work(physics.material.mass * dot(physics.gravity.acceleration, moved));
-        budget.add_work(physics.drag.d * dot(wind, moved));
-        if (has_diverged(engine->energy(), budget.could_have()))
+        if (!engine->advance(start, dt, count, abandon)) {
+            engine->return_to_kept();
+            return {};
+        }
+        const auto more = budget.with_work_since_kept(*engine, physics, start, static_cast<double>(count) * dt);
+        if (has_diverged(engine->energy(), more.could_have()))
             return explain_divergence(*engine, physics, budget, start, dt, count, steps);
+        budget = more;
         steps += count;
         return {};
     }
@@ -106,12 +106,12 @@ void Simulation::change(const Scene& scene) {
     run_ = std::move(next);
 }
 
-std::optional<Divergence> Simulation::advance_batch() {
-    return run_->advance(steps_per_batch());
+std::optional<Divergence> Simulation::advance_batch(const std::atomic<bool>* abandon) {
+    return run_->advance(steps_per_batch(), abandon);
 }
 
 std::optional<Divergence> Simulation::advance_steps(long long count) {
-    return run_->advance(count);
+    return run_->advance(count, nullptr);
 }
 
 void Simulation::use_exact_dt() {

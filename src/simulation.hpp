@@ -4,6 +4,7 @@
 
 #include "drapeau/scene.hpp"
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -62,7 +63,8 @@ public:
     void change(const Scene& scene);
 
     /// Advances 1/60 s in steps_per_batch() equal steps. If the run diverges it is put back to the batch's beginning.
-    std::optional<Divergence> advance_batch();
+    /// If `abandon` is set meanwhile it gives up within a few hundredths of a second, as if it had never begun.
+    std::optional<Divergence> advance_batch(const std::atomic<bool>* abandon = nullptr);
 
     /// Advances `count` steps of exactly dt() (the laboratory's way, and the window's single step).
     std::optional<Divergence> advance_steps(long long count);
