@@ -6,7 +6,8 @@ uniform sampler2D picture;
 uniform int textured;
 uniform float dimmed;  // 1: a dark backdrop for force colours
 
-in vec3 place;
+in vec3 to_eye;
+in vec3 half_way;  // between the eye and the sun
 in vec3 normal;
 in vec2 texture_place;
 
@@ -16,7 +17,6 @@ const vec3 plain = vec3(0.075, 0.125, 0.215);
 const vec3 dark = vec3(0.035, 0.043, 0.058);
 
 void main() {
-    vec3 to_eye = normalize(eye.xyz - place);
     vec3 n = normalize(normal);
     if (!gl_FrontFacing) n = -n;
 
@@ -27,10 +27,15 @@ void main() {
     float facing = dot(n, sun.xyz);
     float lit = max(0.0, facing);
     float through = max(0.0, -facing);
-    float graze = 1.0 - max(0.0, dot(n, to_eye));
-    float glint = pow(max(0.0, dot(n, normalize(sun.xyz + to_eye))), 22.0);
+    float seen = max(0.0, dot(n, to_eye));
+    float graze = 1.0 - seen;
+    float glint = max(0.0, dot(n, half_way));
+    glint *= glint;
+    glint *= glint;
+    glint *= glint;
+    glint *= glint;
 
-    vec3 light = ambient(n) + sun_light * (0.86 * lit + 0.30 * through) + 0.10 * max(0.0, dot(n, to_eye));
-    vec3 sheen = sky_light * (0.012 + 0.16 * graze * graze) + sun_light * 0.06 * glint * step(0.0, facing);
+    vec3 light = ambient(n) + sun_light * (0.86 * lit + 0.30 * through) + 0.10 * seen;
+    vec3 sheen = sky_light * (0.012 + 0.16 * graze * graze) + sun_light * 0.05 * glint * step(0.0, facing);
     shade = vec4(color * light + sheen, 1.0);
 }

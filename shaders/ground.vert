@@ -21,5 +21,5 @@ void main() {
     clear = exp(-away * 0.016);
     edge = clamp(3.5 / (1.0 + 0.25 * away), 0.0, 3.5);
     gl_Position = to_clip * vec4(place, 1.0);
-    gl_Position.z = gl_Position.w;  // behind everything
+    gl_Position.z = 0.9999 * gl_Position.w;  // behind everything but the sky
 }

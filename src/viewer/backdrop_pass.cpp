@@ -46,11 +46,9 @@ void BackdropPass::end_shadow() const {
 
 void BackdropPass::draw(const Stage& stage) const {
     glBindVertexArray(nothing_.id());
-    glDepthMask(GL_FALSE);
+    if (stage.ground) draw_ground(stage);
     sky_.use();
     glDrawArrays(GL_TRIANGLES, 0, 6 * sky_cells);
-    if (stage.ground) draw_ground(stage);
-    glDepthMask(GL_TRUE);
 }
 
 void BackdropPass::draw_ground(const Stage& stage) const {

@@ -56,7 +56,7 @@ void set_style(float scale) {
     ImVec4* colors = style.Colors;
     colors[ImGuiCol_Text] = shade(0xe8ecf1);
     colors[ImGuiCol_TextDisabled] = shade(0x93a0b0);
-    colors[ImGuiCol_WindowBg] = shade(0x161d27, 0.93f);
+    colors[ImGuiCol_WindowBg] = shade(0x19212c);
     colors[ImGuiCol_PopupBg] = shade(0x1b2430, 0.98f);
     colors[ImGuiCol_Border] = shade(0x3a4757);
     colors[ImGuiCol_FrameBg] = shade(0x2a3543);

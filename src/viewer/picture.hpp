@@ -4,6 +4,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <vector>
 
@@ -43,6 +44,7 @@ struct Picture {
     float stiffness = 1.0f;        // N/m
     float diagonal_stiffness = 0;  // N/m
     float force_scale = 1.0f;      // N, of the reddest colour
+    glm::ivec4 hidden{0};          // x, y, width, height of what panels will cover, pixels from below: not drawn
     float pixel_scale = 1.0f;      // pixels of the picture per unit of line width
     Stage stage;
 };

@@ -32,7 +32,17 @@ void Renderer::draw_scene(const Picture& picture, glm::vec2 size) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_TRUE);
+    glClearDepth(1.0);
     glClear(GL_DEPTH_BUFFER_BIT);
+
+    // Nothing is nearer than 0: what the panel covers costs nothing.
+    if (picture.hidden.z > 0 && picture.hidden.w > 0) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(picture.hidden.x, picture.hidden.y, picture.hidden.z, picture.hidden.w);
+        glClearDepth(0.0);
+        glClear(GL_DEPTH_BUFFER_BIT);
+        glDisable(GL_SCISSOR_TEST);
+    }
 
     // Opaque things first, so that the backdrop is computed only where it shows.
     if (picture.cloth) cloth_.draw(grid_, picture, texture_);

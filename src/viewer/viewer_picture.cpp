@@ -38,6 +38,15 @@ std::string written(Area area) {
     return text;
 }
 
+/// The pixels that the panel covers whatever the rounding of its corners.
+glm::ivec4 pixels_under(const Area& panel, float pixels_per_unit, int height) {
+    const float inset = 10.0f;
+    if (panel.width() < 3.0f * inset || panel.height() < 3.0f * inset) return glm::ivec4(0);
+    const auto pixels = [&](float units) { return int(units * pixels_per_unit); };
+    return {pixels(panel.x0 + inset), height - pixels(panel.y1 - inset), pixels(panel.width() - 2.0f * inset),
+            pixels(panel.height() - 2.0f * inset)};
+}
+
 /// The rectangle around the masses as they are drawn.
 Area around_masses(const Snapshot& s, const glm::mat4& to_clip, glm::vec2 size) {
     Area area{1e9f, 1e9f, -1e9f, -1e9f};
@@ -59,6 +68,7 @@ Picture Viewer::picture() const {
     const Scene& scene = moment_.scene;
     const ViewSettings& view = session_.scene.view;
     const FlagSettings& flag = scene.flag;
+    const float pixel_scale = float(canvas_.height()) / std::max(1.0f, size().y);
     return {.view = camera_.view_matrix(framing_, session_.view_area),
             .projection = camera_.projection(framing_, session_.view_area, size()),
             .eye = camera_.eye(framing_, session_.view_area),
@@ -73,7 +83,8 @@ Picture Viewer::picture() const {
             .stiffness = float(scene.springs.stiffness),
             .diagonal_stiffness = float(scene.springs.diagonal_stiffness.value_or(0.0)),
             .force_scale = float(session_.status.force_scale),
-            .pixel_scale = float(canvas_.height()) / std::max(1.0f, size().y),
+            .hidden = pixels_under(session_.panel_area, pixel_scale, canvas_.height()),
+            .pixel_scale = pixel_scale,
             .stage = stage_of(flag)};
 }
 
