@@ -286,8 +286,9 @@ TEST_CASE("a bad command line is refused in one line") {
     const Bench bench;
     bench.write("sheet.toml", sheet);
     bench.write("broken.toml", "[flag]\ncolumns = 0\n[springs]\nmass = 1\nstiffness = 1\n");
-    check_refused(bench.run(""), "command is required");
-    check_refused(bench.run("fly"), "fly");
+    check_refused(bench.run(""), "a command is missing");
+    check_refused(bench.run("fly"), "fly is no command");
+    check_refused(bench.run("--fly"), "--fly is no command");
     check_refused(bench.run("run"), "SCENE");
     check_refused(bench.run("run storm"), "--seconds");
     check_refused(bench.run("run storm --seconds"), "--seconds");

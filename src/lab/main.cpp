@@ -71,7 +71,11 @@ int main(int count, char** arguments) {
     } catch (const CLI::Success& help_or_version) {
         return finish_output(app.exit(help_or_version));
     } catch (const CLI::ParseError& error) {
-        if (count == 1) return complain("a command is required: run or scenes (drapeau-lab --help says more)");
+        if (app.get_subcommands().empty()) {
+            const std::string given =
+                count > 1 ? one_line(arguments[1]) + " is no command; " : "a command is missing; ";
+            return complain(given + "run or scenes is allowed (drapeau-lab --help says more)");
+        }
         return complain(one_line(error.what(), 300) + " (drapeau-lab --help says more)");
     } catch (const InputError& error) {
         return complain(error.what());
