@@ -37,6 +37,17 @@ std::string broken_limit(const Physics& physics, const Divergence& d) {
 
 }  // namespace
 
+EnergyBudget EnergyBudget::with_work_since_kept(const Engine& engine, const Physics& physics, double start,
+                                                double span) const {
+    const auto dot = [](const glm::dvec3& a, const glm::dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
+    const auto moved = engine.moved_since_kept();
+    const auto wind = physics.wind.wind.velocity(start + 0.5 * span);
+    EnergyBudget more = *this;
+    more.work_ += std::abs(physics.material.mass * dot(physics.gravity.acceleration, moved));
+    more.work_ += std::abs(physics.drag.d * dot(wind, moved));
+    return more;
+}
+
 std::string in_words(double seconds) {
     const double size = std::abs(seconds);
     const char* unit = size >= 1.0 ? "s" : size >= 1e-3 ? "ms" : size >= 1e-6 ? "us" : "ns";
@@ -48,7 +59,11 @@ std::string in_words(double seconds) {
 
 Divergence explain_divergence(Engine& engine, const Physics& physics, const EnergyBudget& budget, double start,
                               double dt, long long count, long long first_step) {
-    const auto diverged = [&] { return has_diverged(engine.energy(), budget.could_have()); };
+    // What the wind does to masses that fly apart is no energy they may have: each step has the work until then.
+    const auto diverged_at = [&](long long step) {
+        const double span = static_cast<double>(step) * dt;
+        return has_diverged(engine.energy(), budget.with_work_since_kept(engine, physics, start, span).could_have());
+    };
 
     // Halve the interval that holds the first bad step: `good` steps are fine (and in `state`), `bad` are not.
     engine.return_to_kept();
@@ -58,7 +73,7 @@ Divergence explain_divergence(Engine& engine, const Physics& physics, const Ener
         const long long middle = good + (bad - good) / 2;
         engine.set(state);
         engine.advance(start + static_cast<double>(good) * dt, dt, middle - good);
-        if (diverged()) {
+        if (diverged_at(middle)) {
             bad = middle;
         } else {
             good = middle;

@@ -15,14 +15,15 @@ public:
         : elastic_(elastic_scale(physics.grid, physics.material)), initial_(initial.total()) {}
 
     double could_have() const { return elastic_ + initial_ + work_; }
-    void add_work(double joules) { work_ += std::abs(joules); }
+    /// With the work done since the engine's keep(), at time start (s), `span` seconds ago.
+    EnergyBudget with_work_since_kept(const Engine& engine, const Physics& physics, double start, double span) const;
 
 private:
     double elastic_, initial_, work_ = 0.0;
 };
 
-/// Replays `count` steps of dt from the engine's kept state, finds the step that broke the budget, names place and
-/// limit, and leaves the engine on the kept state. `first_step` is the number of steps before them.
+/// Replays `count` steps of dt from the engine's kept state, when the budget was `budget`, finds the step that broke
+/// it, names place and limit, and leaves the engine on the kept state. `first_step` is the number of steps before them.
 Divergence explain_divergence(Engine& engine, const Physics& physics, const EnergyBudget& budget, double start,
                               double dt, long long count, long long first_step);
 
