@@ -29,6 +29,22 @@ double share(int n, int count) {
     return count > 1 ? static_cast<double>(n) / (count - 1) : 0.0;
 }
 
+/// Stops every mass and lets it go with half a kick, x + dt^2 a/2 and dt a/2, as leapfrog starts. A whole kick would
+/// give the fastest modes energy, five times what they had at nine tenths of the largest step.
+void let_go(Engine& engine, double dt) {
+    auto masses = engine.masses();
+    const auto x = masses.x;
+    std::fill(masses.v.begin(), masses.v.end(), glm::dvec3(0.0));
+    engine.set(masses);
+    engine.advance(0.0, dt, 1);
+    masses = engine.masses();
+    for (std::size_t n = 0; n < x.size(); ++n) {
+        masses.x[n] = 0.5 * (x[n] + masses.x[n]);
+        masses.v[n] *= 0.5;
+    }
+    engine.set(masses);
+}
+
 /// Lets a flag come to rest under gravity: whenever its kinetic energy falls, all of it is taken out (kinetic damping).
 /// Bounded in work, so that a large grid starts soon, if not quite at rest.
 Masses settled(const Scene& scene, Masses masses) {
@@ -53,9 +69,7 @@ Masses settled(const Scene& scene, Masses masses) {
         const double kinetic = engine->energy().kinetic;
         if (kinetic < before) {
             if (moved && before < 0.5 * total_mass * still * still) break;
-            auto at_rest = engine->masses();
-            std::fill(at_rest.v.begin(), at_rest.v.end(), glm::dvec3(0.0));
-            engine->set(at_rest);
+            let_go(*engine, dt);
             before = 0.0;
             moved = true;
         } else {
