@@ -207,6 +207,14 @@ TEST_CASE("the same run gives the same state file and hash") {
     CHECK(hash("a.json") == hash("b.json"));
 }
 
+TEST_CASE("the state is the same for any number of threads") {
+    const Bench bench;
+    for (const std::string threads : {"1", "2", "3"}) {
+        REQUIRE(bench.run("run storm --seconds 0.05 --state " + threads + ".csv --threads " + threads).status == 0);
+        CHECK(contents(bench.path / (threads + ".csv")) == contents(bench.path / "1.csv"));
+    }
+}
+
 TEST_CASE("results are a table for a person, a JSON object and a CSV row for programs") {
     const Bench bench;
     const auto outcome = bench.run("run storm --seconds 0.1 --dt 0.0001 --json r.json --csv r.csv");
@@ -230,8 +238,8 @@ TEST_CASE("results are a table for a person, a JSON object and a CSV row for pro
     std::string header, row, more;
     std::getline(csv, header);
     std::getline(csv, row);
-    CHECK(header.starts_with("scene,columns,rows,method,precision,time_s,steps,dt_s,"));
-    CHECK(row.starts_with("\"Storm\",50,30,\"semi-implicit-euler\",\"float\",0.1,1000,0.0001,"));
+    CHECK(header.starts_with("scene,columns,rows,method,precision,threads,time_s,steps,dt_s,"));
+    CHECK(row.starts_with("\"Storm\",50,30,\"semi-implicit-euler\",\"float\",1,0.1,1000,0.0001,"));
     CHECK(std::count(header.begin(), header.end(), ',') == std::count(row.begin(), row.end(), ','));
     CHECK_FALSE(std::getline(csv, more));
 }
@@ -260,7 +268,7 @@ TEST_CASE("with dt auto any time is filled with equal steps within the stability
         std::istringstream row(line);
         std::vector<double> cells;
         while (std::getline(row, cell, ',')) cells.push_back(std::atof(cell.c_str()));
-        const double time = cells[5], steps = cells[6], dt = cells[7], limit = cells[8];
+        const double time = cells[6], steps = cells[7], dt = cells[8], limit = cells[9];
         CHECK(time == Approx(std::atof(seconds.c_str())).epsilon(1e-12));
         CHECK(steps * dt == Approx(time).epsilon(1e-12));
         CHECK(dt <= 0.9 * limit * (1.0 + 1e-12));
@@ -305,6 +313,9 @@ TEST_CASE("a bad command line is refused in one line") {
     }
     for (const std::string dt : {"-1", "0", "nan", "inf", "1e300", "fast"}) {
         check_refused(bench.run("run storm --seconds 1 --dt " + dt), "--dt = " + dt);
+    }
+    for (const std::string threads : {"0", "-2", "1.5", "many", "1e9"}) {
+        check_refused(bench.run("run storm --seconds 1 --threads " + threads), "--threads = " + threads);
     }
     check_refused(bench.run("run storm --seconds 1 --method rk5"), "--method = \"rk5\": \"forward-euler\" or");
     check_refused(bench.run("run storm --seconds 1 --method rk4"), "not available in this version");

@@ -16,8 +16,8 @@ namespace {
 using namespace drapeau;
 using namespace drapeau::lab;
 
-constexpr const char* run_help =
-    "Simulate a scene for a time and say where it is and what it cost\n\n"
+constexpr const char* exit_notes = "Exit status: 0 good, 2 bad input, 3 diverged.";
+constexpr const char* run_notes =
     "A step given as a number is used as it is, and the time must be a whole number of such steps. With dt auto the "
     "run\n"
     "takes the largest step known to be stable, in whole batches of 1/60 s as the window does; a time that is no "
@@ -51,15 +51,19 @@ int main(int count, char** arguments) {
     CLI::App app("drapeau-lab: what every setting of a flag costs, and where it leads", "drapeau-lab");
     app.set_version_flag("--version", "drapeau-lab " DRAPEAU_VERSION);
     app.require_subcommand(1);
-    app.footer("Exit status: 0 good, 2 bad input, 3 diverged.");
+    app.footer(exit_notes);
 
     RunOptions options;
-    auto* run_command = app.add_subcommand("run", run_help);
+    auto* run_command = app.add_subcommand("run", "Simulate a scene for a time: where it is then, and what it cost");
+    run_command->footer(std::string(run_notes) + "\n\n" + exit_notes);
     run_command->add_option("SCENE", options.scene, "A scene file, or the name of a shipped scene")->required();
     run_command->add_option("--seconds", options.seconds, "Time to simulate, s")->required()->type_name("T");
     run_command->add_option("--method", options.method, "forward-euler or semi-implicit-euler")->type_name("M");
     run_command->add_option("--dt", options.dt, "Step, s, or auto")->type_name("S");
     run_command->add_option("--precision", options.precision, "float or double")->type_name("P");
+    run_command
+        ->add_option("--threads", options.threads, "Threads that share a step; the result is the same for any number")
+        ->type_name("N");
     run_command->add_option("--state", options.state, "Write the state of every mass")->type_name("FILE.csv");
     run_command->add_option("--json", options.json, "Write the results as one JSON object")->type_name("FILE");
     run_command->add_option("--csv", options.csv, "Write the results as a header and a row")->type_name("FILE");

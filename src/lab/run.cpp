@@ -35,6 +35,14 @@ double number_option(const std::string& name, const std::string& text, double lo
                      shortest(lowest) + " to " + shortest(highest) + " is allowed");
 }
 
+int threads_option(const std::string& text) {
+    constexpr double most = 256;
+    const double number = text.empty() ? 1.0 : number_in(text).value_or(0.0);
+    if (number >= 1.0 && number <= most && number == std::trunc(number)) return static_cast<int>(number);
+    throw InputError("--threads = " + one_line(text, 60) + ": a whole number from 1 to " + shortest(most) +
+                     " is allowed");
+}
+
 /// The scene with what the command line says instead.
 Scene scene_to_run(const RunOptions& options) {
     Scene scene = read_scene(find_scene(options.scene));
@@ -144,7 +152,7 @@ std::string in_hex(std::uint64_t value) {
     return digits;
 }
 
-std::vector<Result> results_of(const Simulation& simulation, const Cost& cost,
+std::vector<Result> results_of(const Simulation& simulation, int threads, const Cost& cost,
                                const std::optional<Divergence>& divergence) {
     const Scene& scene = simulation.scene();
     const FlagSettings& flag = scene.flag;
@@ -173,6 +181,7 @@ std::vector<Result> results_of(const Simulation& simulation, const Cost& cost,
     number("rows", flag.rows, "", "");
     text("method", name_of(scene.time.method), "method");
     text("precision", name_of(scene.time.precision), "precision");
+    number("threads", threads, "threads", std::to_string(threads));
     measure("time_s", time, "time simulated", "s");
     number("steps", static_cast<double>(simulation.steps()), "steps", std::to_string(simulation.steps()));
     number("dt_s", simulation.dt(), "step", with_unit(simulation.dt(), "s") + " (" + of_limit + ")");
@@ -242,6 +251,7 @@ int run(const RunOptions& options) {
     // Nothing to simulate is fine: it gives the start. Anything else takes at least the shortest step.
     const double seconds =
         number_option("--seconds", options.seconds, options.seconds == "0" ? 0.0 : 1e-9, 1e6, "0 or ");
+    const int threads = threads_option(options.threads);
     const Scene scene = scene_to_run(options);
     check_outputs(options);
     const Plan plan = plan_for(scene, seconds, options.seconds);
@@ -249,10 +259,11 @@ int run(const RunOptions& options) {
     planned.time.dt = plan.dt;
     Simulation simulation(planned);
     if (plan.dt) simulation.use_exact_dt();
+    simulation.use_threads(threads);
 
     Cost cost;
     const auto divergence = carry_out(plan, simulation, cost);
-    const auto results = results_of(simulation, cost, divergence);
+    const auto results = results_of(simulation, threads, cost, divergence);
     write_results(options, results);
     if (divergence) {
         std::fprintf(stderr, "drapeau-lab: %s\n", divergence->message.c_str());

@@ -15,6 +15,7 @@ struct RunOptions {
     std::string method;     // "" is the scene's own, as with dt and precision
     std::string dt;         // s, or "auto"
     std::string precision;  // float or double
+    std::string threads;    // a whole number; "" is 1
     std::string state;      // files to write; "" writes none
     std::string json;
     std::string csv;
