@@ -71,19 +71,20 @@ inline void ReportArrangement<Real>::compute_force(int i, int j) {
 }
 
 template <class Real>
-inline void ReportArrangement<Real>::move(Mass& mass, Real dt) const {
+inline void ReportArrangement<Real>::move(Mass& mass, Real dt, Real dt_over_m) const {
     if (mass.attached) return;
-    mass.velocity += dt / mass_ * mass.force;
+    mass.velocity += dt_over_m * mass.force;
     mass.position += dt * mass.velocity;
 }
 
 template <class Real>
 void ReportArrangement<Real>::advance(double dt, int steps) {
+    const Real h = static_cast<Real>(dt), dt_over_m = h / mass_;
     for (int step = 0; step < steps; ++step)
         for (int j = rows_ - 1; j >= 0; --j)
             for (int i = columns_ - 1; i >= 0; --i) {
                 compute_force(i, j);
-                move(mass(i, j), static_cast<Real>(dt));
+                move(mass(i, j), h, dt_over_m);
             }
 }
 

@@ -51,7 +51,7 @@ private:
     Mass& mass(int i, int j) { return masses_[static_cast<std::size_t>(j) * columns_ + i]; }
     const Mass& mass(int i, int j) const { return masses_[static_cast<std::size_t>(j) * columns_ + i]; }
     void compute_force(int i, int j);
-    void move(Mass& mass, Real dt) const;
+    void move(Mass& mass, Real dt, Real dt_over_m) const;
 
     int columns_, rows_;
     Real mass_;  // kg, of each
