@@ -7,7 +7,7 @@ namespace drapeau {
 namespace {
 
 constexpr int cloth_shade = 235;  // sRGB of undyed cloth, seen where the image is transparent
-constexpr float wanted_anisotropy = 4.0f;
+constexpr float wanted_anisotropy = 2.0f;
 
 }  // namespace
 

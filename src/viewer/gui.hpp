@@ -1,7 +1,11 @@
 // Gui: Dear ImGui's context, its font and its calm looks.
 #pragma once
 
+#include "input.hpp"
+
 #include <glm/vec2.hpp>
+
+#include <vector>
 
 struct GLFWwindow;
 
@@ -22,8 +26,12 @@ public:
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
 
-    void begin(const GuiFrame& frame);
+    /// `events`: what happened to the window since the last frame.
+    void begin(const GuiFrame& frame, const std::vector<InputEvent>& events);
     void draw();  // into the framebuffer that is bound
+
+private:
+    std::vector<int> held_;  // keys held down for a frame because they went down and up within it
 };
 
 }  // namespace drapeau

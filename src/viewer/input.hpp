@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 
 #include <string>
+#include <vector>
 
 namespace drapeau {
 
@@ -17,6 +18,13 @@ struct InputEvent {
     float amount = 0.0f;    // notches of the wheel, away from the hand is positive
     std::string character;  // of a key: what it types on this keyboard, lower case
     std::string file;       // what was dropped
+};
+
+/// Events as they come, each with the place of the mouse at that moment: asked later, the window system would tell
+/// where the mouse is by then.
+struct InputQueue {
+    std::vector<InputEvent> events;
+    glm::vec2 mouse{-1.0f};
 };
 
 }  // namespace drapeau

@@ -111,7 +111,7 @@ void Viewer::input() {
     const std::vector<InputEvent> events = window_.poll();
     if (!repeatable()) canvas_.resize(window_.framebuffer_size().x, window_.framebuffer_size().y);
     const float pixels = float(canvas_.width()) / std::max(1.0f, size().x);
-    gui_.begin({.size = size(), .pixels_per_unit = pixels, .seconds = repeatable() ? 1.0f / 60.0f : 0.0f});
+    gui_.begin({.size = size(), .pixels_per_unit = pixels, .seconds = repeatable() ? 1.0f / 60.0f : 0.0f}, events);
     lay_out(session_, size().x, size().y, repeatable() ? 1.0f : window_.content_scale());
     const ImGuiIO& io = ImGui::GetIO();
     controls_.apply(events, {.mouse = io.WantCaptureMouse, .keyboard = io.WantTextInput}, framing_, session_, camera_);

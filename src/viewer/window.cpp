@@ -15,13 +15,11 @@ namespace {
 using Kind = InputEvent::Kind;
 
 InputEvent& queue(GLFWwindow* window, Kind kind) {
-    auto& events = *static_cast<std::vector<InputEvent>*>(glfwGetWindowUserPointer(window));
-    double x = 0.0, y = 0.0;
-    glfwGetCursorPos(window, &x, &y);
-    InputEvent& event = events.emplace_back();
+    auto& waiting = *static_cast<InputQueue*>(glfwGetWindowUserPointer(window));
+    InputEvent& event = waiting.events.emplace_back();
     event.kind = kind;
     event.time = glfwGetTime();
-    event.at = {float(x), float(y)};
+    event.at = waiting.mouse;
     return event;
 }
 
@@ -43,7 +41,8 @@ void on_button(GLFWwindow* window, int button, int action, int modifiers) {
 }
 
 void on_move(GLFWwindow* window, double x, double y) {
-    queue(window, Kind::move).at = {float(x), float(y)};
+    static_cast<InputQueue*>(glfwGetWindowUserPointer(window))->mouse = {float(x), float(y)};
+    queue(window, Kind::move);
 }
 
 void on_scroll(GLFWwindow* window, double, double notches) {
@@ -103,7 +102,7 @@ Window::Window(const WindowSettings& settings) {
         throw InputError("OpenGL 3.3 is needed; its functions could not be loaded");
     }
 
-    glfwSetWindowUserPointer(window_, &events_);
+    glfwSetWindowUserPointer(window_, &queue_);
     glfwSetKeyCallback(window_, on_key);
     glfwSetMouseButtonCallback(window_, on_button);
     glfwSetCursorPosCallback(window_, on_move);
@@ -126,7 +125,7 @@ void Window::close() {
 
 std::vector<InputEvent> Window::poll() {
     glfwPollEvents();
-    return std::exchange(events_, {});
+    return std::exchange(queue_.events, {});
 }
 
 void Window::swap() {

@@ -41,7 +41,7 @@ public:
 
 private:
     GLFWwindow* window_ = nullptr;
-    std::vector<InputEvent> events_;
+    InputQueue queue_;
 };
 
 }  // namespace drapeau
