@@ -35,7 +35,7 @@ void main() {
     glint *= glint;
     glint *= glint;
 
-    vec3 light = ambient(n) + sun_light * (0.86 * lit + 0.30 * through) + 0.10 * seen;
+    vec3 light = ambient(n) + sun_light * (0.68 * lit + 0.28 * through) + 0.08 * seen;
     vec3 sheen = sky_light * (0.012 + 0.16 * graze * graze) + sun_light * 0.05 * glint * step(0.0, facing);
     shade = vec4(color * light + sheen, 1.0);
 }

@@ -14,8 +14,10 @@ struct Extent {
 };
 
 Extent extent_of(const FlagSettings& flag) {
-    const float width = flag.columns > 1 ? float(flag.width) : 0.0f;
-    const float height = flag.rows > 1 ? float(flag.height) : 0.0f;
+    // What is held stays as it starts, stretched or not.
+    const float stretch = 1.0f + float(flag.prestretch);
+    const float width = flag.columns > 1 ? stretch * float(flag.width) : 0.0f;
+    const float height = flag.rows > 1 ? stretch * float(flag.height) : 0.0f;
     return {width, height, std::max({width, height, 0.05f})};
 }
 
