@@ -46,11 +46,11 @@ void compare_files(const std::string& file_a, const std::string& file_b) {
     int both = 0;
     double logarithms = 0.0;
     std::printf("%-64s  %9s  %9s  %6s\n", "case (minima, ns a mass and step)", "A", "B", "B / A");
-    for (const auto& [name, ns] : a) {
-        const auto other = std::find_if(b.begin(), b.end(), [&](const auto& m) { return m.name == name; });
+    for (const Minimum& one : a) {
+        const auto other = std::find_if(b.begin(), b.end(), [&](const Minimum& m) { return m.name == one.name; });
         if (other == b.end()) continue;
-        std::printf("%-64s  %9.3f  %9.3f  %6.3f\n", name.c_str(), ns, other->ns, other->ns / ns);
-        logarithms += std::log(other->ns / ns);
+        std::printf("%-64s  %9.3f  %9.3f  %6.3f\n", one.name.c_str(), one.ns, other->ns, other->ns / one.ns);
+        logarithms += std::log(other->ns / one.ns);
         ++both;
     }
     if (both == 0) throw InputError(file_a + " and " + file_b + " have no case in common");

@@ -33,13 +33,13 @@ struct World {
         world.setGravity(to_bullet(physics.gravity.acceleration));
         world.getWorldInfo().m_gravity = to_bullet(physics.gravity.acceleration);
         world.getWorldInfo().air_density = 0;  // drag is the flag's own, below
+        flag.appendMaterial()->m_kLST = 1;     // as stiff as its iterations can make it
         for (int j = 0; j < grid.rows; ++j)
             for (int i = 0; i < grid.columns; ++i) {
                 const bool held = is_attached(physics.attach, grid, i, j);
                 flag.appendNode(to_bullet(grid.rest(i, j)),
                                 held ? btScalar(0) : static_cast<btScalar>(physics.material.mass));
             }
-        flag.appendMaterial()->m_kLST = 1;  // as stiff as its iterations can make it
         for_each_spring(grid, physics.material, [&](int i, int j, int i2, int j2, double, double) {
             flag.appendLink(j * grid.columns + i, j2 * grid.columns + i2);
         });
