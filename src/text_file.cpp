@@ -45,6 +45,14 @@ bool is_written_directly(const fs::path& name) {
     return type != fs::file_type::regular && type != fs::file_type::not_found;
 }
 
+/// A device or pipe open for writing. What is this program's own already is not opened anew: it would begin at its
+/// start.
+int open_directly(const std::string& name) {
+    if (name == "/dev/stdout") return dup(STDOUT_FILENO);
+    if (name == "/dev/stderr") return dup(STDERR_FILENO);
+    return open(name.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+}
+
 /// The name a finished file takes: where a link points, so that the link stays.
 fs::path behind_links(const fs::path& name) {
     std::error_code error;
@@ -134,7 +142,7 @@ void check_writable(const std::string& name) {
 
 void write_text_file(const std::string& name, const std::function<void(const Append&)>& write) {
     if (is_written_directly(name)) {
-        const Descriptor file(open(name.c_str(), O_WRONLY | O_CLOEXEC));
+        const Descriptor file(open_directly(name));
         if (file.number < 0) fail_writing(name, errno);
         write_into(file.number, name, write);
         return;

@@ -358,6 +358,15 @@ TEST_CASE("a file asked for on standard output is alone there") {
     CHECK(has(outcome.messages, "state hash"));
 }
 
+TEST_CASE("what standard output already holds stays when a file is asked for there") {
+    const Bench bench;
+    for (int time = 0; time < 2; ++time) {
+        REQUIRE(bench.run("run spring --seconds 0.1 --state /dev/stdout >>out.csv").status == 0);
+    }
+    const std::string once = bench.run("run spring --seconds 0.1 --state /dev/stdout").output;
+    CHECK(contents(bench.path / "out.csv") == once + once);
+}
+
 TEST_CASE("a file is replaced whole, through its links, or left as it was") {
     const Bench bench;
     bench.write("old.csv", "what was there before");
