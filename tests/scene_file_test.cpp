@@ -13,6 +13,9 @@
 #include <limits>
 #include <locale>
 #include <random>
+#include <sstream>
+#include <string>
+#include <vector>
 
 using namespace drapeau;
 namespace fs = std::filesystem;
