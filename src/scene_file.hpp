@@ -16,7 +16,8 @@ Scene read_scene(const std::filesystem::path& file);
 /// The same from text; `origin` stands in for the file's name in messages.
 Scene parse_scene(std::string_view text, const std::string& origin);
 
-/// The scene as TOML, with every key the scene lists and a comment with each unit. parse_scene gives the same Scene back.
+/// The scene as TOML, with every key the scene lists and a comment with each unit. parse_scene gives the same Scene
+/// back.
 std::string write_scene(const Scene& scene);
 
 /// Throws InputError if the scene is impossible (sizes, signs, wind nobody feels, more memory than there is);
@@ -32,7 +33,8 @@ std::vector<std::string> shipped_scenes();
 /// Where `texture` of a scene read from `scene_file` lies: beside the scene, then in assets/flags. Throws InputError.
 std::filesystem::path find_texture(const std::string& texture, const std::filesystem::path& scene_file);
 
-/// assets/ of the source or build tree, or of the installation (found from the program's own place, not the working directory).
+/// assets/ of the source or build tree, or of the installation (found from the program's own place, not the working
+/// directory).
 std::filesystem::path assets_directory();
 
 /// Names as in scene files and on the command line: "semi-implicit-euler", "hoist", "flat", "float".
