@@ -45,9 +45,8 @@ public:
                                     physics.material.damping.has_value())),
           cloth_(physics.grid),
           kept_(physics.grid),
-          fabric_(physics.grid, physics.attach, physics.material) {
-        for (int n = 0; n < most_steps_a_pass; ++n) buffers_.emplace_back(cloth_.width());
-    }
+          fabric_(physics.grid, physics.attach, physics.material),
+          buffers_(cloth_.width()) {}
 
     bool advance(double start, double dt, long long count, const std::atomic<bool>* abandon) override {
         std::array<Ambient<Real>, most_steps_a_turn> ambient;
@@ -130,7 +129,6 @@ public:
     }
 
 private:
-    static constexpr int most_steps_a_pass = 8;
     static constexpr int most_steps_a_turn = 64;  // per waking of the team
     static constexpr long long fewest_masses_for_threads = 4096;
 
@@ -146,14 +144,8 @@ private:
                            });
             return;
         }
-        for (int n = 0; n < steps; n += steps_a_pass())
-            kernel_.advance_cloth(rows, fabric, ambient + n, std::min(steps_a_pass(), steps - n), dt, buffers_.data());
-    }
-
-    // A state that fits the second-level cache gains nothing from sharing passes.
-    int steps_a_pass() const {
-        constexpr std::size_t cache_bytes = 1u << 20;
-        return cloth_.count() * 6 * sizeof(Real) > cache_bytes ? most_steps_a_pass : 1;
+        for (int n = 0; n < steps; ++n)
+            kernel_.advance_rows(rows, 0, rows.rows, nullptr, nullptr, fabric, ambient[n], dt, buffers_);
     }
 
     static void copy(const Cloth<Real>& from, Cloth<Real>& to) {
@@ -165,7 +157,7 @@ private:
     const Kernel<Real>& kernel_;
     Cloth<Real> cloth_, kept_;
     Fabric<Real> fabric_;
-    std::vector<SweepBuffers<Real>> buffers_;
+    SweepBuffers<Real> buffers_;
     std::unique_ptr<Team<Real>> team_;
 };
 

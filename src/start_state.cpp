@@ -91,7 +91,8 @@ Masses start_masses(const Scene& scene) {
                    ? crumpled_start(physics.grid, prestretch, physics.attach, crumple_seed)
                    : flat_start(physics.grid, prestretch);
     masses.v.assign(masses.x.size(), glm::dvec3(0.0));
-    if (scene.flag.start == Start::hanging && scene.gravity) {
+    const bool can_hang = scene.gravity && scene.flag.attach != Attach::none;  // otherwise it would fall for ever
+    if (scene.flag.start == Start::hanging && can_hang) {
         // A flag exactly in its plane would stay in it: the lightest of folds lets it choose a side.
         std::size_t n = 0;
         for (int j = 0; j < physics.grid.rows; ++j)

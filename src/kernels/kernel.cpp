@@ -12,7 +12,6 @@ using Real = DRAPEAU_REAL;
 
 template <bool diagonals, bool damped>
 constexpr Kernel<Real> kernel{
-    &advance_cloth<Vector<Real>, SpringForce<damped>, diagonals, DRAPEAU_METHOD, Ambient<Real>, Real>,
     &advance_rows<Vector<Real>, SpringForce<damped>, diagonals, DRAPEAU_METHOD, Ambient<Real>, Real>,
     &spring_forces<Vector<Real>, SpringForce<damped>, diagonals, Real>,
 };

@@ -17,8 +17,6 @@ using Ambient = Uniform<Real, true, true>;
 /// One composition: see advance.hpp for the meaning of each.
 template <class Real>
 struct Kernel {
-    void (*advance_cloth)(const Rows<Real>&, const FabricView<Real>&, const Ambient<Real>*, int steps, Real dt,
-                          SweepBuffers<Real>*);
     void (*advance_rows)(const Rows<Real>&, int first, int last, const Row<Real>* above, const Row<Real>* below,
                          const FabricView<Real>&, const Ambient<Real>&, Real dt, SweepBuffers<Real>&);
     void (*spring_forces)(const Rows<Real>&, const FabricView<Real>&, const ForceRow<Real>&, SweepBuffers<Real>&);
