@@ -10,10 +10,16 @@ namespace {
 
 using Real = DRAPEAU_REAL;
 
+// Types of this file alone make the kernels its own: were they shared, the linker would keep one of several
+// instruction sets' versions whose registers are equally wide, and call it for all.
+struct Move : DRAPEAU_METHOD {};
+template <bool damped>
+struct Force : SpringForce<damped> {};
+
 template <bool diagonals, bool damped>
 constexpr Kernel<Real> kernel{
-    &advance_rows<Vector<Real>, SpringForce<damped>, diagonals, DRAPEAU_METHOD, Ambient<Real>, Real>,
-    &spring_forces<Vector<Real>, SpringForce<damped>, diagonals, Real>,
+    &advance_rows<Vector<Real>, Force<damped>, diagonals, Move, Ambient<Real>, Real>,
+    &spring_forces<Vector<Real>, Force<damped>, diagonals, Real>,
 };
 
 }  // namespace
