@@ -160,4 +160,8 @@ TEST_CASE_METHOD(StillFlag, "every key of the view does what its switch does") {
     CHECK(app.settle().box("view").width() > narrow + 100);
     CHECK(app.settle().text("panel").empty());
     app.check_healthy();
+
+    screen.xdotool({"key", "ctrl+q"});
+    CHECK(app.process().wait() == 0);
+    CHECK(app.process().errors().empty());
 }
