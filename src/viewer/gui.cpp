@@ -1,5 +1,6 @@
 #include "gui.hpp"
 
+#include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
@@ -80,7 +81,7 @@ void set_style(float scale) {
 
 }  // namespace
 
-Gui::Gui(GLFWwindow* window, float scale, float pixels_per_unit) {
+Gui::Gui(GLFWwindow* window, float scale, float pixels_per_unit) : window_(window) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
@@ -97,6 +98,10 @@ Gui::~Gui() {
 }
 
 void Gui::begin(const GuiFrame& frame, const std::vector<InputEvent>& events) {
+    // A mouse that was there before the window came never enters it, and ImGui would not believe in it.
+    const bool over = glfwGetWindowAttrib(window_, GLFW_HOVERED) != 0;
+    if (over && !entered_) ImGui_ImplGlfw_CursorEnterCallback(window_, GLFW_TRUE);
+    entered_ = over;
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();

@@ -31,6 +31,8 @@ public:
     void draw();  // into the framebuffer that is bound
 
 private:
+    GLFWwindow* window_;
+    bool entered_ = false;   // ImGui was told that the mouse is over the window
     std::vector<int> held_;  // keys held down for a frame because they went down and up within it
 };
 

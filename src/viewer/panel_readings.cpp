@@ -19,6 +19,10 @@ constexpr const char* none = "\xe2\x80\x93";
     return text;
 }
 
+std::string share_of_limit(double share) {
+    return share < 10.0 ? written("%.0f %% of the limit", 100.0 * share) : written("%.3g times the limit", share);
+}
+
 std::string pace_of(const Session& session) {
     const Status& s = session.status;
     if (s.divergence) return "stopped";

@@ -37,8 +37,8 @@ void edit_step(Session& session, Widgets& widgets) {
     const double usual =
         session.origin.time.dt.value_or(status.stability_limit > 0.0 ? 0.9 * status.stability_limit : *dt);
     widgets.slider(
-        "Step", *dt,
-        {.low = 1e-3, .high = 1000.0 / 60.0, .logarithmic = true, .format = "%.4g ms", .shown_per_unit = 1000.0}, usual,
+        "Step size", *dt,
+        {.low = 1e-5, .high = 1000.0 / 60.0, .logarithmic = true, .format = "%.4g ms", .shown_per_unit = 1000.0}, usual,
         "Wished; made a whole number of steps every 1/60 s. Larger is quicker and less exact; past the limit the run "
         "comes apart.");
 }

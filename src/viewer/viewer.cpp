@@ -9,10 +9,8 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <thread>
 
 namespace drapeau {
 
@@ -20,7 +18,6 @@ namespace {
 
 constexpr int samples = 4;                      // a pixel
 constexpr int settling_frames = 4;              // pictures ImGui needs to lay its boxes out
-constexpr double least_frame_seconds = 0.008;   // where the display does not hold the loop back
 constexpr double longest_frame_seconds = 0.25;  // a pause of the whole program is not caught up
 
 bool debug_wanted() {

@@ -216,9 +216,11 @@ bool Widgets::button(const char* label, const char* tip_text, float width, const
 }
 
 bool Widgets::page(const char* label, bool chosen, float width) {
+    ImGui::PushID("page");  // a switch may have the same label
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(chosen ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
     const bool clicked = ImGui::Button(label, {width, 0.0f});
     ImGui::PopStyleColor();
+    ImGui::PopID();
     note(("Page: " + std::string(label)).c_str(), chosen ? "1" : "0");
     return clicked;
 }
