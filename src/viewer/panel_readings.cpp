@@ -42,7 +42,7 @@ void draw_readings(const Session& session, Widgets& widgets) {
                     "The step in use; frames are 1/60 s of simulated time.");
     if (s.stability_limit > 0.0)
         widgets.gauge(
-            "Stability", s.dt / s.stability_limit, written("%.0f %% of the limit", 100.0 * s.dt / s.stability_limit),
+            "Stability", s.dt / s.stability_limit, share_of_limit(s.dt / s.stability_limit),
             "The step against the largest one that is safe for these springs. Past 100 % the run may come apart.");
     else
         widgets.reading("Stability", "no stable step",
