@@ -16,6 +16,7 @@ SimulationThread::~SimulationThread() {
     {
         const std::lock_guard lock(mutex_);
         ending_ = true;
+        abandon_ = true;
     }
     wanted_.notify_one();
     thread_.join();
@@ -33,6 +34,7 @@ void SimulationThread::ask_change(const Scene& scene, long long revision, bool f
         const std::lock_guard lock(mutex_);
         from_start = from_start || (change_ && change_->from_start);
         change_ = Change{.scene = scene, .revision = revision, .from_start = from_start};
+        abandon_ = true;
     }
     wanted_.notify_one();
 }
@@ -80,16 +82,18 @@ void SimulationThread::work() {
         busy_ = true;
         const std::optional<Change> change = std::exchange(change_, std::nullopt);
         const bool single = !change && single_steps_ > 0;
+        abandon_ = false;
         lock.unlock();
+        bool advanced = false;
         if (change)
             carry_out(*change);
         else
-            advance(single);
+            advanced = advance(single);
         publish();
         lock.lock();
         if (now_.divergence)
             batches_ = single_steps_ = 0;
-        else if (!change)
+        else if (advanced)
             --(single ? single_steps_ : batches_);
         busy_ = false;
         finished_.notify_all();
@@ -113,12 +117,16 @@ void SimulationThread::carry_out(const Change& change) {
     }
 }
 
-void SimulationThread::advance(bool single_step) {
-    if (now_.divergence) return;
+// False if it was abandoned for something that matters more.
+bool SimulationThread::advance(bool single_step) {
+    if (now_.divergence) return false;
+    const auto steps_before = simulation_.steps();
     const auto begin = std::chrono::steady_clock::now();
-    now_.divergence = single_step ? simulation_.advance_steps(1) : simulation_.advance_batch();
+    now_.divergence = single_step ? simulation_.advance_steps(1) : simulation_.advance_batch(&abandon_);
+    if (simulation_.steps() == steps_before) return false;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     now_.step_seconds = passed.count() / (single_step ? 1 : simulation_.steps_per_batch());
+    return true;
 }
 
 void SimulationThread::publish() {

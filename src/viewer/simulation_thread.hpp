@@ -4,6 +4,7 @@
 
 #include "simulation.hpp"
 
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
@@ -53,7 +54,7 @@ private:
     void ask_change(const Scene& scene, long long revision, bool from_start);
     void work();
     void carry_out(const Change& change);
-    void advance(bool single_step);
+    bool advance(bool single_step);
     void publish();
 
     Simulation simulation_;  // only the thread touches it once it runs
@@ -66,6 +67,7 @@ private:
     int single_steps_ = 0;
     bool busy_ = false;
     bool ending_ = false;
+    std::atomic<bool> abandon_{false};  // the batch under way is not worth finishing
     std::optional<Moment> newest_;
 
     std::thread thread_;
