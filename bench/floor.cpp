@@ -50,11 +50,11 @@ Counts count(const Case& c) {
                     const Uniform<Real, has_acceleration(), has_rate()> uniform{};
                     const auto dt = static_cast<Real>(1e-5);
                     if (c.method == Method::forward_euler)
-                        advance_cloth<Lane, Pair, diagonals(), ForwardEuler>(cloth.view(), fabric.view(), &uniform, 1,
-                                                                             dt, &buffers);
+                        advance_cloth<Lane, Pair, diagonals(), ForwardEuler>(cloth.view(), fabric.view(), uniform, dt,
+                                                                             buffers);
                     else
-                        advance_cloth<Lane, Pair, diagonals(), SemiImplicitEuler>(cloth.view(), fabric.view(), &uniform,
-                                                                                  1, dt, &buffers);
+                        advance_cloth<Lane, Pair, diagonals(), SemiImplicitEuler>(cloth.view(), fabric.view(), uniform,
+                                                                                  dt, buffers);
                 });
             });
         });
@@ -66,13 +66,13 @@ Counts count(const Case& c) {
 }
 
 /// ns to move `bytes` a mass when the set in use has `set_bytes`: what fits a level moves as fast as that level does.
-double ns_to_move(double bytes, std::size_t set_bytes, double Level::*bandwidth, int steps_a_pass, const Peaks& peaks) {
+double ns_to_move(double bytes, std::size_t set_bytes, double Level::*bandwidth, const Peaks& peaks) {
     double ns = 0.0, held = 0.0;  // share of the set that nearer levels hold
     const std::size_t last = peaks.level_of(set_bytes);
     for (std::size_t n = 0; n <= last; ++n) {
         const auto& level = peaks.levels[n];
         const double share = n == last ? 1.0 : static_cast<double>(level.bytes) / static_cast<double>(set_bytes);
-        ns += (share - held) * bytes / level.*bandwidth / (n >= 2 ? steps_a_pass : 1);
+        ns += (share - held) * bytes / level.*bandwidth;
         held = share;
     }
     return ns;
@@ -95,9 +95,8 @@ Floor floor_of(const Case& c, const Counts& counts, const Peaks& peaks) {
                               : c.work == Work::forces ? 9 * real
                                                        : 12 * real;
     const std::size_t set_bytes = masses * (whole_steps ? moved / 2 : moved);
-    const int steps_a_pass = c.work == Work::step ? 8 : 1;  // at most, in the engine, beyond the second level
-    const double moving = ns_to_move(static_cast<double>(moved), set_bytes, whole_steps ? &Level::update : &Level::copy,
-                                     steps_a_pass, peaks);
+    const double moving =
+        ns_to_move(static_cast<double>(moved), set_bytes, whole_steps ? &Level::update : &Level::copy, peaks);
 
     const double operations = std::max(counts.multiplications, counts.additions) + counts.others;
     const double arithmetic = operations / peaks.multiply_adds_of(c.precision);

@@ -9,8 +9,8 @@ bool takes_steps(const Case& c) {
     return c.work == Work::step || c.work == Work::terms || c.work == Work::report;
 }
 
-/// Steps that a repeat takes at least: some of a batch, as the programs ask for them, so that steps can share a pass
-/// and threads are woken as often as they would be.
+/// Steps that a repeat takes at least: some of a batch, as the programs ask for them, so that threads are woken as
+/// often as they would be.
 int steps_at_least(const Case& c) {
     if (c.work != Work::step) return c.work == Work::terms ? 8 : 1;
     return c.masses() < 512 * 512 ? 32 : 16;

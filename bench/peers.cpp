@@ -28,7 +28,7 @@ Flight fly_core(const Scene& scene) {
     Flight flight{std::numeric_limits<double>::max(), -1.0};
     for (int frame = 0; frame < frames_flown; ++frame) {
         const auto begin = std::chrono::steady_clock::now();
-        engine->advance(frame * batch_seconds, dt, steps);
+        engine->advance({.dt = dt}, 0LL + frame * steps, 0LL + (frame + 1) * steps);
         const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
         if (frame < frames_flown - frames_watched) continue;
         flight.ms_a_frame = std::min(flight.ms_a_frame, ms);

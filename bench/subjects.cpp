@@ -24,7 +24,7 @@ public:
         engine_->keep();
     }
     void restore() override { engine_->return_to_kept(); }
-    void run(int times) override { engine_->advance(0.0, dt, times); }
+    void run(int times) override { engine_->advance({.dt = dt}, 0, times); }
     std::uint64_t hash() const override { return engine_->state_hash(); }
     double greatest_stretch() const override { return stretch_if_finite(engine_->energy()); }
 
@@ -196,7 +196,7 @@ const Masses& start_state(int columns, int rows) {
     const Physics physics(flag_scene(columns, rows, Method::semi_implicit_euler, Terms{}));
     const auto engine = make_engine(physics, Precision::double_precision);
     engine->set(rippled(physics.grid));
-    engine->advance(0.0, auto_step(physics.largest_step()), 32);
+    engine->advance({.dt = auto_step(physics.largest_step())}, 0, 32);
     kept = engine->masses();
     kept_columns = columns, kept_rows = rows;
     return kept;

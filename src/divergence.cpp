@@ -38,10 +38,10 @@ std::string broken_limit(const Physics& physics, const Divergence& d) {
 }  // namespace
 
 EnergyBudget EnergyBudget::with_work_since_kept(const Engine& engine, const Physics& physics, double start,
-                                                double span) const {
+                                                double now) const {
     const auto dot = [](const glm::dvec3& a, const glm::dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
     const auto moved = engine.moved_since_kept();
-    const auto wind = physics.wind.wind.velocity(start + 0.5 * span);
+    const auto wind = physics.wind.wind.velocity(0.5 * (start + now));
     EnergyBudget more = *this;
     more.work_ += std::abs(physics.material.mass * dot(physics.gravity.acceleration, moved));
     more.work_ += std::abs(physics.drag.d * dot(wind, moved));
@@ -57,22 +57,22 @@ std::string in_words(double seconds) {
     return text;
 }
 
-Divergence explain_divergence(Engine& engine, const Physics& physics, const EnergyBudget& budget, double start,
-                              double dt, long long count, long long first_step) {
+Divergence explain_divergence(Engine& engine, const Physics& physics, const EnergyBudget& budget, const Clock& clock,
+                              long long first, long long last) {
     // What the wind does to masses that fly apart is no energy they may have: each step has the work until then.
     const auto diverged_at = [&](long long step) {
-        const double span = static_cast<double>(step) * dt;
-        return has_diverged(engine.energy(), budget.with_work_since_kept(engine, physics, start, span).could_have());
+        const auto then = budget.with_work_since_kept(engine, physics, clock.at(first), clock.at(step));
+        return has_diverged(engine.energy(), then.could_have());
     };
 
     // Halve the interval that holds the first bad step: `good` steps are fine (and in `state`), `bad` are not.
     engine.return_to_kept();
     auto state = engine.masses();
-    long long good = 0, bad = count;
+    long long good = first, bad = last;
     while (bad - good > 1) {
         const long long middle = good + (bad - good) / 2;
         engine.set(state);
-        engine.advance(start + static_cast<double>(good) * dt, dt, middle - good);
+        engine.advance(clock, good, middle);
         if (diverged_at(middle)) {
             bad = middle;
         } else {
@@ -81,15 +81,15 @@ Divergence explain_divergence(Engine& engine, const Physics& physics, const Ener
         }
     }
     engine.set(state);
-    engine.advance(start + static_cast<double>(good) * dt, dt, 1);
+    engine.advance(clock, good, bad);
 
     Divergence d;
     const auto place = worst(engine.masses());
-    d.step = first_step + bad;
-    d.time = start + static_cast<double>(bad) * dt;
+    d.step = bad;
+    d.time = clock.at(bad);
     d.column = static_cast<int>(place % static_cast<std::size_t>(physics.grid.columns));
     d.row = static_cast<int>(place / static_cast<std::size_t>(physics.grid.columns));
-    d.dt = dt;
+    d.dt = clock.dt;
     d.limit = physics.largest_step();
     d.safe_dt = 0.9 * d.limit;
     char where[160];

@@ -15,17 +15,17 @@ public:
         : elastic_(elastic_scale(physics.grid, physics.material)), initial_(initial.total()) {}
 
     double could_have() const { return elastic_ + initial_ + work_; }
-    /// With the work done since the engine's keep(), at time start (s), `span` seconds ago.
-    EnergyBudget with_work_since_kept(const Engine& engine, const Physics& physics, double start, double span) const;
+    /// With the work done since the engine's keep(), from time `start` to time `now` (s).
+    EnergyBudget with_work_since_kept(const Engine& engine, const Physics& physics, double start, double now) const;
 
 private:
     double elastic_, initial_, work_ = 0.0;
 };
 
-/// Replays `count` steps of dt from the engine's kept state, when the budget was `budget`, finds the step that broke
-/// it, names place and limit, and leaves the engine on the kept state. `first_step` is the number of steps before them.
-Divergence explain_divergence(Engine& engine, const Physics& physics, const EnergyBudget& budget, double start,
-                              double dt, long long count, long long first_step);
+/// Replays the steps first <= n < last from the engine's kept state, when the budget was `budget`, finds the one that
+/// broke it, names place and limit, and leaves the engine on the kept state.
+Divergence explain_divergence(Engine& engine, const Physics& physics, const EnergyBudget& budget, const Clock& clock,
+                              long long first, long long last);
 
 /// "0.35 ms", "1.2 s": a time for a sentence.
 std::string in_words(double seconds);

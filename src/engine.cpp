@@ -48,18 +48,18 @@ public:
           fabric_(physics.grid, physics.attach, physics.material),
           buffers_(cloth_.width()) {}
 
-    bool advance(double start, double dt, long long count, const std::atomic<bool>* abandon) override {
+    bool advance(const Clock& clock, long long first, long long last, const std::atomic<bool>* abandon) override {
         std::array<Ambient<Real>, most_steps_a_turn> ambient;
         constexpr long long mass_steps_a_turn = 10'000'000;  // some hundredths of a second
         const auto longest_turn = std::clamp(mass_steps_a_turn / physics_.grid.masses(), 1LL, 0LL + most_steps_a_turn);
-        for (long long done = 0; done < count;) {
+        for (long long step = first; step < last;) {
             if (abandon && abandon->load(std::memory_order_relaxed)) return false;
-            const int steps = static_cast<int>(std::min(longest_turn, count - done));
+            const int steps = static_cast<int>(std::min(longest_turn, last - step));
             for (int n = 0; n < steps; ++n)
-                ambient[n] = fold<Real>(physics_.material.mass, start + static_cast<double>(done + n) * dt,
-                                        physics_.gravity, physics_.drag, physics_.friction, physics_.wind);
-            turn(ambient.data(), steps, static_cast<Real>(dt));
-            done += steps;
+                ambient[n] = fold<Real>(physics_.material.mass, clock.at(step + n), physics_.gravity, physics_.drag,
+                                        physics_.friction, physics_.wind);
+            turn(ambient.data(), steps, static_cast<Real>(clock.dt));
+            step += steps;
         }
         return true;
     }

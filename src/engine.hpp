@@ -29,6 +29,15 @@ struct Physics {
     double largest_step() const;  // s; 0 if the method has no stable step
 };
 
+/// When each step of a run begins: a whole number of steps times dt, never a running sum.
+struct Clock {
+    double start = 0.0;   // s, the beginning of step `first`
+    long long first = 0;  // since the run began
+    double dt = 0.0;      // s
+
+    double at(long long step) const { return start + static_cast<double>(step - first) * dt; }
+};
+
 /// Position and velocity of every mass in double, row by row: what passes from one engine to another.
 struct Masses {
     std::vector<glm::dvec3> x, v;
@@ -38,9 +47,10 @@ class Engine {
 public:
     virtual ~Engine() = default;
 
-    /// Advances `count` steps of dt (s); step n of them starts at time start + n * dt. Looks at `abandon` every few
-    /// hundredths of a second and returns false, somewhere in between, once it is set.
-    virtual bool advance(double start, double dt, long long count, const std::atomic<bool>* abandon = nullptr) = 0;
+    /// Takes the steps first <= n < last of the clock. Looks at `abandon` every few hundredths of a second and returns
+    /// false, somewhere in between, once it is set.
+    virtual bool advance(const Clock& clock, long long first, long long last,
+                         const std::atomic<bool>* abandon = nullptr) = 0;
     /// How many threads may share the work; small cloths stay on one, where a second would not pay.
     virtual void use_threads(int threads) = 0;
     /// Keeps the state aside, and returns to what was kept.

@@ -45,10 +45,8 @@ struct Simulation::Run {
     Physics physics;
     std::unique_ptr<Engine> engine;
     EnergyBudget budget;
-    double dt;
+    Clock clock;
     int threads = 1;
-    double segment_start = 0.0;  // s: time is segment_start + (steps - segment_first) * dt, never a running sum
-    long long segment_first = 0;
     long long steps = 0;
 
     Run(const Scene& wanted, Masses masses)
@@ -56,22 +54,22 @@ struct Simulation::Run {
           physics(wanted),
           engine(make_engine(physics, wanted.time.precision)),
           budget(physics, (engine->set(masses), engine->energy())),
-          dt(whole_steps_per_batch(chosen_step(wanted, physics))) {}
+          clock{.dt = whole_steps_per_batch(chosen_step(wanted, physics))} {}
 
-    double time() const { return segment_start + static_cast<double>(steps - segment_first) * dt; }
+    double time() const { return clock.at(steps); }
 
     std::optional<Divergence> advance(long long count, const std::atomic<bool>* abandon) {
-        const double start = time();
+        const long long last = steps + count;
         engine->keep();
-        if (!engine->advance(start, dt, count, abandon)) {
+        if (!engine->advance(clock, steps, last, abandon)) {
             engine->return_to_kept();
             return {};
         }
-        const auto more = budget.with_work_since_kept(*engine, physics, start, static_cast<double>(count) * dt);
+        const auto more = budget.with_work_since_kept(*engine, physics, clock.at(steps), clock.at(last));
         if (has_diverged(engine->energy(), more.could_have()))
-            return explain_divergence(*engine, physics, budget, start, dt, count, steps);
+            return explain_divergence(*engine, physics, budget, clock, steps, last);
         budget = more;
-        steps += count;
+        steps = last;
         return {};
     }
 
@@ -100,8 +98,8 @@ void Simulation::change(const Scene& scene) {
     auto next = std::make_unique<Run>(scene, goes_on(run_->scene.flag, scene.flag)
                                                  ? carried_over(run_->engine->masses(), run_->physics.grid, scene)
                                                  : start_masses(scene));
-    next->segment_start = run_->time();
-    next->segment_first = next->steps = run_->steps;
+    next->clock.start = run_->time();
+    next->clock.first = next->steps = run_->steps;
     next->use_threads(run_->threads);
     run_ = std::move(next);
 }
@@ -115,9 +113,7 @@ std::optional<Divergence> Simulation::advance_steps(long long count) {
 }
 
 void Simulation::use_exact_dt() {
-    run_->segment_start = run_->time();
-    run_->segment_first = run_->steps;
-    run_->dt = chosen_step(run_->scene, run_->physics);
+    run_->clock = {.start = run_->time(), .first = run_->steps, .dt = chosen_step(run_->scene, run_->physics)};
 }
 
 void Simulation::use_threads(int threads) {
@@ -131,10 +127,10 @@ long long Simulation::steps() const {
     return run_->steps;
 }
 double Simulation::dt() const {
-    return run_->dt;
+    return run_->clock.dt;
 }
 int Simulation::steps_per_batch() const {
-    return std::max(1, static_cast<int>(std::lround(batch_seconds / run_->dt)));
+    return std::max(1, static_cast<int>(std::lround(batch_seconds / run_->clock.dt)));
 }
 double Simulation::stability_limit() const {
     return run_->physics.largest_step();

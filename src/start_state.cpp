@@ -36,7 +36,7 @@ void let_go(Engine& engine, double dt) {
     const auto x = masses.x;
     std::fill(masses.v.begin(), masses.v.end(), glm::dvec3(0.0));
     engine.set(masses);
-    engine.advance(0.0, dt, 1);
+    engine.advance({.dt = dt}, 0, 1);
     masses = engine.masses();
     for (std::size_t n = 0; n < x.size(); ++n) {
         masses.x[n] = 0.5 * (x[n] + masses.x[n]);
@@ -65,7 +65,7 @@ Masses settled(const Scene& scene, Masses masses) {
     bool moved = false;
     engine->set(masses);
     for (long long step = 0; step < most_steps; step += look_every) {
-        engine->advance(0.0, dt, look_every);
+        engine->advance({.dt = dt}, 0, look_every);
         const double kinetic = engine->energy().kinetic;
         if (kinetic < before) {
             if (moved && before < 0.5 * total_mass * still * still) break;

@@ -95,7 +95,7 @@ template <class Real, class Method, class V = Vector<Real>>
 class Sheet {
 public:
     explicit Sheet(const Setting& s) : setting(s), cloth(s.grid), fabric(s.grid, s.attach, s.material) {
-        for (int n = 0; n < 8; ++n) buffers.emplace_back(cloth.width());
+        for (int n = 0; n < 2; ++n) buffers.emplace_back(cloth.width());
         set(scattered(s.grid, 0.0), Points(static_cast<std::size_t>(s.masses()), glm::dvec3(0.0)));
     }
     Sheet(const Setting& s, const Points& x, const Points& v) : Sheet(s) { set(x, v); }
@@ -117,18 +117,15 @@ public:
     Energy energy() const { return measure(cloth, setting.material); }
     double time() const { return time_; }
 
-    /// `count` steps of dt (s), `at_once` of them sharing a pass (up to 8).
-    void advance(double dt, long long count, int at_once = 1) {
+    /// `count` steps of dt (s).
+    void advance(double dt, long long count) {
         const double start = time_;
-        Uniform<Real, true, true> uniform[8];
-        for (long long done = 0; done < count;) {
-            const int steps = static_cast<int>(std::min<long long>(at_once, count - done));
-            for (int n = 0; n < steps; ++n) uniform[n] = uniform_at(start + static_cast<double>(done + n) * dt);
+        for (long long n = 0; n < count; ++n) {
+            const auto uniform = uniform_at(start + static_cast<double>(n) * dt);
             composed([&](auto pair, auto diagonals) {
                 advance_cloth<V, decltype(pair), decltype(diagonals)::value, Method>(
-                    cloth.view(), fabric.view(), uniform, steps, static_cast<Real>(dt), buffers.data());
+                    cloth.view(), fabric.view(), uniform, static_cast<Real>(dt), buffers[0]);
             });
-            done += steps;
         }
         time_ = start + static_cast<double>(count) * dt;
     }

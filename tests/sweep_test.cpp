@@ -104,25 +104,6 @@ TEMPLATE_LIST_TEST_CASE("Padding feels nothing and keeps still", "[physics]", Pr
     }
 }
 
-TEMPLATE_LIST_TEST_CASE("Steps that share a pass have the bits of steps one at a time", "[physics]", AllCases) {
-    using Tested = Sheet<typename TestType::Real, typename TestType::Method>;
-    for (const auto& size : many_sizes)
-        for (const auto& material : materials) {
-            const Setting s = in_the_wind(size, material);
-            const auto x = scattered(s.grid, 0.02), v = noise(s.masses(), 1.0);
-            Tested alone(s, x, v);
-            alone.advance(1e-4, 24);
-            bool same = true;
-            for (int at_once = 2; at_once <= 8; ++at_once) {
-                Tested together(s, x, v);
-                together.advance(1e-4, 24, at_once);
-                same = same && same_bits(alone.cloth, together.cloth);
-            }
-            CHECK(same);
-            CHECK(distance(alone.positions(), x) > 0.0);
-        }
-}
-
 TEMPLATE_LIST_TEST_CASE("Any number of threads gives the same bits", "[physics]", AllCases) {
     using Real = typename TestType::Real;
     using Tested = Sheet<Real, typename TestType::Method>;

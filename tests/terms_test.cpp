@@ -84,7 +84,7 @@ Counts per_mass() {
         const Uniform<Real, has_acceleration, has_rate> uniform{};
         return counted([&] {
             advance_cloth<CountedLane<Real>, SpringForce<damped>, diagonals, SemiImplicitEuler>(
-                cloth.view(), fabric.view(), &uniform, 1, Real(1e-4), &buffers);
+                cloth.view(), fabric.view(), uniform, Real(1e-4), buffers);
         });
     };
     const Counts row = of_rows(6) - of_rows(5);

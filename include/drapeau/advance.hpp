@@ -1,8 +1,4 @@
 // Advance: the sweep with a method as its `finish`: each row is moved in place as soon as its force is complete.
-//
-// Several steps can share one pass: step n+1 may take row j once step n has moved rows j and j+1, so it follows one row
-// behind, and the rows between them are still in the cache. The arithmetic, and so every bit, is that of separate
-// passes.
 #pragma once
 
 #include "drapeau/fabric.hpp"
@@ -43,20 +39,12 @@ void advance_rows(const Rows<Real>& rows, int first, int last, const Row<Real>* 
     }
 }
 
-/// Advances a whole cloth by `steps` steps in one pass; uniform[n] and buffers[n] are those of step n.
+/// Advances a whole cloth by one step.
 template <class V, class Pair, bool diagonals, class Method, class UniformForces, class Real>
-void advance_cloth(const Rows<Real>& rows, const FabricView<Real>& fabric, const UniformForces* uniform, int steps,
-                   Real dt, SweepBuffers<Real>* buffers) {
-    for (int n = 0; n < steps; ++n) Sweep<V, Pair, diagonals>(fabric.springs, buffers[n]).begin();
-    for (int front = 0; front < rows.rows + steps - 1; ++front)
-        for (int n = 0; n < steps; ++n) {
-            const int j = front - n;
-            if (j < 0 || j >= rows.rows) continue;
-            Sweep<V, Pair, diagonals> sweep(fabric.springs, buffers[n]);
-            const Row<Real> next = rows[j + 1];
-            advance_row(sweep, rows[j], j + 1 < rows.rows ? &next : nullptr, fabric.inverse_mass_of(j), uniform[n], dt,
-                        Method{});
-        }
+void advance_cloth(const Rows<Real>& rows, const FabricView<Real>& fabric, const UniformForces& uniform, Real dt,
+                   SweepBuffers<Real>& buffers) {
+    const Row<Real>* const none = nullptr;
+    advance_rows<V, Pair, diagonals, Method>(rows, 0, rows.rows, none, none, fabric, uniform, dt, buffers);
 }
 
 /// Stores the springs' force on every mass (N) instead of moving it; `forces` has the shape of one component each.

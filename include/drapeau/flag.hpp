@@ -58,8 +58,8 @@ public:
             const double t = start_ + static_cast<double>(n) * dt;
             const auto uniform =
                 std::apply([&](const Terms&... terms) { return fold<Real>(material_.mass, t, terms...); }, terms_);
-            advance_cloth<Vector<Real>, Pair, diagonals, Method>(cloth_.view(), fabric_.view(), &uniform, 1,
-                                                                 static_cast<Real>(dt), &buffers_);
+            advance_cloth<Vector<Real>, Pair, diagonals, Method>(cloth_.view(), fabric_.view(), uniform,
+                                                                 static_cast<Real>(dt), buffers_);
         }
         start_ += static_cast<double>(steps) * dt;
     }

@@ -54,7 +54,8 @@ inline double largest_step(SemiImplicitEuler, const Rates& r) {
     return std::min(root(8.0 * r.k, 8.0 * r.c), root(4.0 * r.k + 8.0 * r.kd, 4.0 * r.c + 8.0 * r.cd));
 }
 
-/// Largest stable dt (s) of forward Euler in every configuration, 0 if there is none. A spring that is stretched also
+/// Largest stable dt (s) of forward Euler, 0 if there is none, wherever no spring is compressed (a compressed one lets
+/// the cloth buckle at any step). A spring that is stretched also
 /// resists sideways, where its damper does nothing: only drag and friction hold that, d + c_f > dt max(8k, 4k + 8kd).
 inline double largest_step(ForwardEuler, const Rates& r) {
     const double against_growth = r.on_mass / r.laplacian(r.k, r.kd);
