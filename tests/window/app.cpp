@@ -231,7 +231,7 @@ void App::type(const std::string& label, const std::string& text) {
     hold("a");
     screen_.xdotool({"keyup", "ctrl"});
     settle();
-    screen_.xdotool({"type", "--delay", "20", text});
+    screen_.xdotool({"type", "--delay", "5", text});
     wait_until("'" + label + "' to hold what was typed",
                [&](const Look& look) { return look.has(label) && look.controls.at(label).value == text; });
     hold("Return");
