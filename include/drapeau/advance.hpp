@@ -23,19 +23,17 @@ DRAPEAU_INLINE void advance_row(Sweep<V, Pair, diagonals>& sweep, const Row<type
     });
 }
 
-/// Advances the rows first <= j < last by one step. `above` and `below` are the neighbouring rows as they were before
-/// the step (null at the cloth's border).
+/// Advances the rows first <= j < last by one step. `above` and `below` are copies of the neighbouring rows as they
+/// were before the step (null at the cloth's border); `above` goes through the sweep too, for what it leaves to row
+/// `first`, in the same loop and so by the same instructions as where another thread moves it, and is spent afterwards.
 template <class V, class Pair, bool diagonals, class Method, class UniformForces, class Real>
 void advance_rows(const Rows<Real>& rows, int first, int last, const Row<Real>* above, const Row<Real>* below,
                   const FabricView<Real>& fabric, const UniformForces& uniform, Real dt, SweepBuffers<Real>& buffers) {
     Sweep<V, Pair, diagonals> sweep(fabric.springs, buffers);
-    if (above)
-        sweep.begin_below(*above, rows[first]);
-    else
-        sweep.begin();
-    for (int j = first; j < last; ++j) {
-        const Row<Real> inner = rows[j + 1];
-        advance_row(sweep, rows[j], j + 1 < last ? &inner : below, fabric.inverse_mass_of(j), uniform, dt, Method{});
+    sweep.begin();
+    for (int j = above ? first - 1 : first; j < last; ++j) {
+        const Row<Real> here = j < first ? *above : rows[j], inner = rows[j + 1];
+        advance_row(sweep, here, j + 1 < last ? &inner : below, fabric.inverse_mass_of(j), uniform, dt, Method{});
     }
 }
 

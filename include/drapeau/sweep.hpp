@@ -79,12 +79,6 @@ public:
         for (int i = 0; i < width_; i += Lanes<V>::width) waiting_.set(i, Triple<V>{});
     }
 
-    /// Starts below a row that another thread moves: its springs down to `here` are evaluated on both sides.
-    DRAPEAU_INLINE void begin_below(const Row<Real>& above, const Row<Real>& here) {
-        begin();
-        pull<true>(above, here, [](int, const Triple<V>&) {});
-    }
-
     /// Completes the force on row `here` and calls finish(i, force) on each register of it. `next` is the row below,
     /// null for the last one.
     template <class Finish>

@@ -123,7 +123,8 @@ public:
     int threads() const { return workers_.count(); }
 
     /// Advances `steps` steps. move(first, last, above, below, step, buffers) advances rows first <= j < last by one
-    /// step, given the rows beyond its block as they were before it (null at the cloth's border).
+    /// step, given copies of the rows beyond its block as they were before it (null at the cloth's border), which it
+    /// may overwrite.
     template <class Move>
     void advance(const Rows<Real>& rows, int steps, const Move& move) {
         for (int n = 0; n < threads(); ++n) copy_out(rows, n, seams_[0]);
