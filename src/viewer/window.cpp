@@ -5,6 +5,7 @@
 #include <GL/glew.h>
 #include <GLFW/glfw3.h>
 
+#include <cstdlib>
 #include <algorithm>
 #include <utility>
 
@@ -68,7 +69,7 @@ Window::Window(const WindowSettings& settings) {
 #endif
     bool started = glfwInit();
 #ifdef GLFW_PLATFORM_X11
-    if (!started) {
+    if (!started && std::getenv("WAYLAND_DISPLAY")) {  // without one, Wayland would only add a complaint of its own
         glfwInitHint(GLFW_PLATFORM, GLFW_ANY_PLATFORM);
         started = glfwInit();
     }
