@@ -5,8 +5,8 @@
 #include <GL/glew.h>
 #include <GLFW/glfw3.h>
 
-#include <cstdlib>
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace drapeau {
