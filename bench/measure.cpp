@@ -38,6 +38,15 @@ Record measure_case(const Case& c, const Peaks& peaks, double budget) {
         contenders.push_back({copy.get(), 1});
     }
 
+    std::unique_ptr<Subject> one_thread;
+    const std::size_t one_thread_at = contenders.size();
+    if (c.threads > 1) {
+        Case alone = c;
+        alone.threads = 1;
+        one_thread = make_subject(alone, start);
+        contenders.push_back({one_thread.get(), steps_at_least(alone)});
+    }
+
     const auto timings = time_in_turns(contenders, budget);
     const double masses = static_cast<double>(c.masses());
     Record record{.c = c,
@@ -47,6 +56,7 @@ Record measure_case(const Case& c, const Peaks& peaks, double budget) {
                   .counts = count_operations(c)};
     if (report) record.ratio_to_report = timings[1].min / timings[0].min;
     if (c.work == Work::report) record.ratio_to_report = 1.0;
+    if (one_thread) record.ratio_to_one_thread = timings[one_thread_at].min / timings[0].min;
     if (copy) record.ratio_to_copy = timings[0].min / timings[copy_at].min;
     if (takes_steps(c)) record.realtime_factor = subject->dt / timings[0].min;
     record.floor = floor_of(c, record.counts, peaks);
