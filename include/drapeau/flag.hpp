@@ -70,7 +70,7 @@ public:
     const Material& material() const { return material_; }
     Energy energy() const { return measure(cloth_, material_); }
 
-    /// The largest step (s) that is stable in every configuration; 0 if there is none.
+    /// The largest step (s) that the closed bound allows (stability.hpp); 0 if there is none.
     template <class Method>
     double largest_stable_step(Method method) const {
         return largest_step(method, rates_);

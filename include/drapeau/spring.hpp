@@ -16,7 +16,7 @@ template <class Real>
 struct SpringRow {
     const Real* k;         // N/m
     const Real* k_length;  // k L, N: the stiffness times the rest length
-    const Real* c;         // N s/m; null without damping
+    const Real* c;         // N s/m; not read without damping
 };
 
 /// A spring this short (m) has no direction: its force fades to zero there instead of becoming NaN.
