@@ -4,8 +4,8 @@
 
 #include "drapeau/advance.hpp"
 #include "drapeau/forces.hpp"
-#include "drapeau/integrators/forward_euler.hpp"
-#include "drapeau/integrators/semi_implicit_euler.hpp"
+#include "drapeau/methods/forward_euler.hpp"
+#include "drapeau/methods/semi_implicit_euler.hpp"
 
 #include <algorithm>
 #include <type_traits>

@@ -1,6 +1,6 @@
 #include "peaks.hpp"
 
-#include "drapeau/cloth.hpp"
+#include "drapeau/state.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -6,7 +6,7 @@
 // turn nobody needs its old position any more, so it moves at once.
 #pragma once
 
-#include "drapeau/fabric.hpp"
+#include "drapeau/model.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>

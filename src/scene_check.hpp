@@ -2,7 +2,7 @@
 // nothing feels, more memory than there is.
 #pragma once
 
-#include "drapeau/scene.hpp"
+#include "scene.hpp"
 
 #include <optional>
 #include <string>

@@ -3,7 +3,7 @@
 // each_table.
 #pragma once
 
-#include "drapeau/scene.hpp"
+#include "scene.hpp"
 #include "text.hpp"
 
 #include <array>

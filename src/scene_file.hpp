@@ -1,7 +1,7 @@
 // Scene files: TOML read into a Scene and written back; every shipped scene and texture found from any directory.
 #pragma once
 
-#include "drapeau/scene.hpp"
+#include "scene.hpp"
 
 #include <filesystem>
 #include <string>

@@ -2,7 +2,7 @@
 // Time advances in batches of 1/60 s; the state is single-owner (one thread at a time), never shared.
 #pragma once
 
-#include "drapeau/scene.hpp"
+#include "scene.hpp"
 
 #include <atomic>
 #include <cstdint>

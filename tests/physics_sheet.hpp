@@ -5,8 +5,8 @@
 #include "drapeau/advance.hpp"
 #include "drapeau/energy.hpp"
 #include "drapeau/forces.hpp"
-#include "drapeau/integrators/forward_euler.hpp"
-#include "drapeau/integrators/semi_implicit_euler.hpp"
+#include "drapeau/methods/forward_euler.hpp"
+#include "drapeau/methods/semi_implicit_euler.hpp"
 #include "drapeau/stability.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // Advance: the sweep with a method as its `finish`: each row is moved in place as soon as its force is complete.
 #pragma once
 
-#include "drapeau/fabric.hpp"
+#include "drapeau/model.hpp"
 #include "drapeau/sweep.hpp"
 
 namespace drapeau {

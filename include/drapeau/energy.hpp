@@ -1,7 +1,7 @@
 // Energy, stretch and sanity of a cloth: summed along each row in the cloth's precision, over the rows in double.
 #pragma once
 
-#include "drapeau/fabric.hpp"
+#include "drapeau/model.hpp"
 
 #include <cmath>
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "drapeau/lanes.hpp"
-#include "drapeau/wind.hpp"
+#include "drapeau/terms/wind.hpp"
 
 #include <glm/vec3.hpp>
 

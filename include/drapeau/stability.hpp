@@ -6,9 +6,9 @@
 // max(8k, 4k + 8kd) (4k on a chain); C likewise, with c in place of k, plus drag and friction.
 #pragma once
 
-#include "drapeau/fabric.hpp"
-#include "drapeau/integrators/forward_euler.hpp"
-#include "drapeau/integrators/semi_implicit_euler.hpp"
+#include "drapeau/model.hpp"
+#include "drapeau/methods/forward_euler.hpp"
+#include "drapeau/methods/semi_implicit_euler.hpp"
 
 #include <algorithm>
 #include <cmath>

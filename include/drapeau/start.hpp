@@ -1,8 +1,8 @@
 // Start: where the masses begin (m), in double, row by row. Velocities begin at zero.
 #pragma once
 
-#include "drapeau/fabric.hpp"
-#include "drapeau/wind.hpp"
+#include "drapeau/model.hpp"
+#include "drapeau/terms/wind.hpp"
 
 #include <cmath>
 #include <vector>

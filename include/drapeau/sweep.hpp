@@ -14,7 +14,7 @@
 // may move it in place, at once.
 #pragma once
 
-#include "drapeau/cloth.hpp"
+#include "drapeau/state.hpp"
 #include "drapeau/spring.hpp"
 
 namespace drapeau {

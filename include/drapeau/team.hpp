@@ -5,7 +5,7 @@
 // and one barrier a step is enough: copies for step n+1 are written while those of step n are read.
 #pragma once
 
-#include "drapeau/cloth.hpp"
+#include "drapeau/state.hpp"
 #include "drapeau/sweep.hpp"
 
 #include <algorithm>

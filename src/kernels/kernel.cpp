@@ -2,8 +2,8 @@
 // DRAPEAU_REAL, DRAPEAU_METHOD and DRAPEAU_KERNEL_SYMBOL given by the build.
 #include "kernels/kernels.hpp"
 
-#include "drapeau/integrators/forward_euler.hpp"
-#include "drapeau/integrators/semi_implicit_euler.hpp"
+#include "drapeau/methods/forward_euler.hpp"
+#include "drapeau/methods/semi_implicit_euler.hpp"
 
 namespace drapeau {
 namespace {

@@ -2,7 +2,7 @@
 // else.
 #pragma once
 
-#include "drapeau/scene.hpp"
+#include "scene.hpp"
 #include "image/image.hpp"
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "camera.hpp"
-#include "drapeau/scene.hpp"
+#include "scene.hpp"
 #include "simulation.hpp"
 
 #include <filesystem>

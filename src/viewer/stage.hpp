@@ -3,7 +3,7 @@
 #pragma once
 
 #include "camera.hpp"
-#include "drapeau/scene.hpp"
+#include "scene.hpp"
 #include "picture.hpp"
 
 namespace drapeau {

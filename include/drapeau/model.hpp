@@ -1,8 +1,8 @@
 // Fabric: what a flag is made of, as the row-long arrays that the sweep reads: springs, masses and what is attached.
 #pragma once
 
-#include "drapeau/cloth.hpp"
-#include "drapeau/scene.hpp"
+#include "drapeau/state.hpp"
+#include "scene.hpp"
 #include "drapeau/sweep.hpp"
 
 #include <optional>
