@@ -1,6 +1,6 @@
 #include "floor.hpp"
 
-#include "engine.hpp"
+#include "run/engine.hpp"
 
 #include "drapeau/advance.hpp"
 #include "drapeau/forces.hpp"

@@ -1,6 +1,6 @@
 #include "peers.hpp"
 
-#include "engine.hpp"
+#include "run/engine.hpp"
 
 #include <BulletSoftBody/btSoftBody.h>
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>

@@ -3,7 +3,7 @@
 
 #include "cases.hpp"
 
-#include "engine.hpp"
+#include "run/engine.hpp"
 
 #include <cstdint>
 #include <memory>

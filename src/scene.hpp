@@ -1,18 +1,16 @@
-// Scene: what is modelled, and how, as plain data. What a scene does not list (an empty optional) is not computed.
-// The TOML form of the same thing is read and written by the programs, not by the core.
+// Scene: what a scene file says, as plain data: the settings a model is built from (model_of), how it is integrated, and
+// what the window shows. What a scene does not list (an empty optional) is not computed.
 #pragma once
 
-#include <glm/vec3.hpp>
+#include "drapeau/methods/list.hpp"
+#include "drapeau/model.hpp"
 
-#include <cstdint>
 #include <optional>
 #include <string>
 
 namespace drapeau {
 
-enum class Attach { hoist, grommets, top, corner, edges, all, none };
 enum class Start { flat, hanging, crumpled };
-enum class Method { forward_euler, semi_implicit_euler };
 enum class Precision { single_precision, double_precision };
 
 /// The grid of masses and how it begins. Column i, row j rests at (i * width/(columns-1), -j * height/(rows-1), 0).
@@ -41,24 +39,8 @@ struct SpringSettings {
     bool operator==(const SpringSettings&) const = default;
 };
 
-struct GravitySettings {
-    glm::dvec3 acceleration{0.0, -9.8, 0.0};  // m/s2
-
-    bool operator==(const GravitySettings&) const = default;
-};
-
-/// Wind is a pure function of (seed, absolute time): mean + gusts. Felt through drag.
-struct WindSettings {
-    glm::dvec3 velocity{0.0};  // m/s, the mean
-    glm::dvec3 gusts{0.0};     // m/s, rms on each axis
-    double period = 1.5;       // s, how fast gusts change; larger is slower
-    std::uint64_t seed = 1;
-
-    bool operator==(const WindSettings&) const = default;
-};
-
 struct TimeSettings {
-    Method method = Method::semi_implicit_euler;
+    Method method = method_id<SemiImplicitEuler>;
     std::optional<double> dt;  // s; absent: "auto", the largest step the closed stability bound allows
     Precision precision = Precision::single_precision;
 
@@ -81,12 +63,28 @@ struct Scene {
     std::string name = "Report";
     FlagSettings flag;
     SpringSettings springs;
-    std::optional<GravitySettings> gravity;
-    std::optional<WindSettings> wind;
+    Terms terms;    // those with a table of their own; drag and friction stand with the springs
+    Limits limits;  // passes after the move
     TimeSettings time;
     ViewSettings view;
 
+    std::optional<Gravity>& gravity() { return terms.get<Gravity>(); }
+    const std::optional<Gravity>& gravity() const { return terms.get<Gravity>(); }
+    std::optional<Wind>& wind() { return terms.get<Wind>(); }
+    const std::optional<Wind>& wind() const { return terms.get<Wind>(); }
+
     bool operator==(const Scene&) const = default;
 };
+
+/// The model that a scene describes.
+inline Model model_of(const Scene& scene) {
+    const auto& [columns, rows, width, height, attach, start, prestretch, texture] = scene.flag;
+    const SpringSettings& s = scene.springs;
+    Terms terms = scene.terms;
+    if (s.drag) terms.add(AirDrag{*s.drag});
+    if (s.friction) terms.add(Friction{*s.friction});
+    return Model(spread(columns, rows, width, height), {s.mass, s.stiffness, s.diagonal_stiffness, s.damping}, attach,
+                 terms, scene.limits);
+}
 
 }  // namespace drapeau

@@ -25,7 +25,7 @@ std::optional<SceneFault> find_value_out_of_range(const Scene& scene) {
     each_table(scene, [&](const std::string& table, const auto& settings, const auto& keys, bool) {
         const auto* values = listed(settings);
         if (!values) return;
-        each_field(keys, [&](const auto& field) {
+        each_key(keys, [&](const auto& field) {
             const auto& value = values->*field.member;
             if (fault || is_allowed(value, field.range)) return;
             std::string text;
@@ -48,10 +48,10 @@ std::string SceneFault::text() const {
 }
 
 double memory_of(double masses, Precision precision) {
-    // Position and velocity, the copy a diverged batch is put back to, the state handed out, and the pictures'
-    // snapshots.
-    constexpr double numbers_kept = 6 + 6;
-    constexpr double snapshots = 3 * 6 * sizeof(float);
+    // What a method keeps at most, the states that a diverged run may return to and is explained from, the pictures'
+    // snapshots and a state handed out.
+    constexpr double numbers_kept = 3.0 * max_fields + 4 * 6;
+    constexpr double snapshots = 3 * 3 * sizeof(float);
     constexpr double handed_out = 6 * sizeof(double);
     const double number = precision == Precision::double_precision ? sizeof(double) : sizeof(float);
     return masses * (numbers_kept * number + snapshots + handed_out);
@@ -78,7 +78,7 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
         return SceneFault{"flag", "columns", "1",
                           "with one row at least two columns are needed: one mass has no spring"};
     }
-    if (scene.wind && !scene.springs.drag) {
+    if (scene.wind() && !scene.springs.drag) {
         return SceneFault{"wind", "", "", "nothing would feel it; give springs.drag too, or leave the wind out"};
     }
     return std::nullopt;

@@ -1,6 +1,6 @@
 // The keys of a scene file, one row each: the row drives reading, writing, checking and every message about the key.
-// To add a key, add its member to drapeau/scene.hpp and its row here; to add a table, a tuple of rows and a line in
-// each_table.
+// To add a key, add its member to the settings or the term it belongs to and its row here. A term or limit with a table of
+// its own needs a tuple of rows, keys_of<Term>; the list of terms does the rest.
 #pragma once
 
 #include "scene.hpp"
@@ -23,7 +23,10 @@ namespace drapeau::scene_fields {
 inline constexpr std::array<std::string_view, 7> attach_names{"hoist", "grommets", "top", "corner",
                                                               "edges", "all",      "none"};
 inline constexpr std::array<std::string_view, 3> start_names{"flat", "hanging", "crumpled"};
-inline constexpr std::array<std::string_view, 2> method_names{"forward-euler", "semi-implicit-euler"};
+inline constexpr auto method_names = []<std::size_t... n>(std::index_sequence<n...>) {
+    return std::array<std::string_view, method_count>{std::tuple_element_t<n, Methods>::name...};
+}
+(std::make_index_sequence<method_count>());
 inline constexpr std::array<std::string_view, 2> precision_names{"float", "double"};
 
 inline std::span<const std::string_view> names_of(Attach) {
@@ -40,10 +43,9 @@ inline std::span<const std::string_view> names_of(Precision) {
 }
 
 /// What the format reserves but this version does not have yet: tables, keys and methods.
-inline constexpr std::array<std::string_view, 6> later_tables{"fabric", "face_pressure", "bending",
-                                                              "ground", "pole",          "limit"};
-inline constexpr std::array<std::string_view, 2> later_keys{"wind.travelling", "time.tolerance"};
-inline constexpr std::array<std::string_view, 4> later_methods{"leapfrog", "rk4", "implicit-euler", "xpbd"};
+inline constexpr std::array<std::string_view, 5> later_tables{"fabric", "face_pressure", "bending", "ground", "pole"};
+inline constexpr std::array<std::string_view, 1> later_keys{"time.tolerance"};
+inline constexpr std::array<std::string_view, 2> later_methods{"implicit-euler", "xpbd"};
 
 /// Numbers from `lowest` to `highest`, both allowed.
 struct Range {
@@ -54,7 +56,7 @@ struct Range {
 };
 
 template <class Settings, class Value>
-struct Field {
+struct Key {
     std::string_view key;
     Value Settings::*member;
     std::string_view comment;      // one line for the reader of the file, its unit first
@@ -63,63 +65,83 @@ struct Field {
     bool required = false;         // the file must say it
 };
 template <class Settings, class Value, class... Rest>
-Field(std::string_view, Value Settings::*, Rest...) -> Field<Settings, Value>;
+Key(std::string_view, Value Settings::*, Rest...) -> Key<Settings, Value>;
 
 // A seed is any whole number that TOML can hold.
-inline constexpr std::int64_t greatest_seed = std::numeric_limits<std::int64_t>::max();
+inline constexpr std::int64_t max_seed = std::numeric_limits<std::int64_t>::max();
 
 inline constexpr std::tuple scene_keys{
-    Field{"name", &Scene::name, "shown in the window's title"},
+    Key{"name", &Scene::name, "shown in the window's title"},
 };
 
 inline constexpr std::tuple flag_keys{
-    Field{"columns", &FlagSettings::columns, "masses along the fly, away from the pole", Range{1, 4096}},
-    Field{"rows", &FlagSettings::rows, "masses along the hoist, down the pole", Range{1, 4096}},
-    Field{"width", &FlagSettings::width, "m, along the fly", Range{1e-3, 1e3}},
-    Field{"height", &FlagSettings::height, "m, along the hoist", Range{1e-3, 1e3}},
-    Field{"attach", &FlagSettings::attach, "hoist, grommets (the two hoist corners), top, corner, edges, all or none"},
-    Field{"start", &FlagSettings::start, "flat, hanging (settled without wind) or crumpled"},
-    Field{"prestretch", &FlagSettings::prestretch, "share; 0.1 starts 10 % longer than rest", Range{-0.9, 10}},
-    Field{"texture", &FlagSettings::texture, "picture, beside this file or in assets/flags"},
+    Key{"columns", &FlagSettings::columns, "masses along the fly, away from the pole", Range{1, 4096}},
+    Key{"rows", &FlagSettings::rows, "masses along the hoist, down the pole", Range{1, 4096}},
+    Key{"width", &FlagSettings::width, "m, along the fly", Range{1e-3, 1e3}},
+    Key{"height", &FlagSettings::height, "m, along the hoist", Range{1e-3, 1e3}},
+    Key{"attach", &FlagSettings::attach, "hoist, grommets (the two hoist corners), top, corner, edges, all or none"},
+    Key{"start", &FlagSettings::start, "flat, hanging (settled without wind) or crumpled"},
+    Key{"prestretch", &FlagSettings::prestretch, "share; 0.1 starts 10 % longer than rest", Range{-0.9, 10}},
+    Key{"texture", &FlagSettings::texture, "picture, beside this file or in assets/flags"},
 };
 
 inline constexpr std::tuple springs_keys{
-    Field{"mass", &SpringSettings::mass, "kg, of every mass", Range{1e-9, 1e3}, "", true},
-    Field{"stiffness", &SpringSettings::stiffness, "N/m, of springs between side neighbours", Range{1e-9, 1e9}, "",
+    Key{"mass", &SpringSettings::mass, "kg, of every mass", Range{1e-9, 1e3}, "", true},
+    Key{"stiffness", &SpringSettings::stiffness, "N/m, of springs between side neighbours", Range{1e-9, 1e9}, "",
           true},
-    Field{"diagonal_stiffness", &SpringSettings::diagonal_stiffness, "N/m, of springs between diagonal neighbours",
+    Key{"diagonal_stiffness", &SpringSettings::diagonal_stiffness, "N/m, of springs between diagonal neighbours",
           Range{1e-9, 1e9}},
-    Field{"damping", &SpringSettings::damping, "N s/m, along every spring", Range{0, 1e6}},
-    Field{"drag", &SpringSettings::drag, "N s/m, of every mass against the air", Range{0, 1e6}},
-    Field{"friction", &SpringSettings::friction, "N s/m, of every mass, whatever the air does", Range{0, 1e6}},
+    Key{"damping", &SpringSettings::damping, "N s/m, along every spring", Range{0, 1e6}},
+    Key{"drag", &SpringSettings::drag, "N s/m, of every mass against the air", Range{0, 1e6}},
+    Key{"friction", &SpringSettings::friction, "N s/m, of every mass, whatever the air does", Range{0, 1e6}},
 };
 
-inline constexpr std::tuple gravity_keys{
-    Field{"acceleration", &GravitySettings::acceleration, "m/s2; y is up", Range{-1e4, 1e4}},
+/// The keys of a term's or limit's own table.
+template <class Term>
+inline constexpr std::tuple keys_of{};
+
+template <>
+inline constexpr std::tuple keys_of<Gravity>{
+    Key{"acceleration", &Gravity::acceleration, "m/s2; y is up", Range{-1e4, 1e4}},
 };
 
-inline constexpr std::tuple wind_keys{
-    Field{"velocity", &WindSettings::velocity, "m/s, the mean; x away from the pole, y up, z towards the viewer",
+template <>
+inline constexpr std::tuple keys_of<Wind>{
+    Key{"velocity", &Wind::velocity, "m/s, the mean; x away from the pole, y up, z towards the viewer",
           Range{-1e6, 1e6}},
-    Field{"gusts", &WindSettings::gusts, "m/s, rms on each axis", Range{0, 1e6}},
-    Field{"period", &WindSettings::period, "s, how fast gusts change", Range{1e-3, 1e6}},
-    Field{"seed", &WindSettings::seed, "another number, other gusts", Range{0, static_cast<double>(greatest_seed)}},
+    Key{"gusts", &Wind::gusts, "m/s, rms on each axis", Range{0, 1e6}},
+    Key{"period", &Wind::period, "s, how fast gusts change", Range{1e-3, 1e6}},
+    Key{"travelling", &Wind::travelling, "gusts run along the flag with the mean wind; false: the same everywhere"},
+    Key{"seed", &Wind::seed, "a different seed gives different gusts", Range{0, static_cast<double>(max_seed)}},
+};
+
+template <>
+inline constexpr std::tuple keys_of<StretchLimit>{
+    Key{"stretch", &StretchLimit::stretch, "share; 0.05: no spring longer than 1.05 times its rest length",
+          Range{0, 10}, "", true},
 };
 
 inline constexpr std::tuple time_keys{
-    Field{"method", &TimeSettings::method, "forward-euler or semi-implicit-euler"},
-    Field{"dt", &TimeSettings::dt, "s; \"auto\" is the largest step known to be stable", Range{1e-9, 1e3}, "auto"},
-    Field{"precision", &TimeSettings::precision, "float or double"},
+    Key{"method", &TimeSettings::method, "how a step is taken; docs/model.md lists the methods"},
+    Key{"dt", &TimeSettings::dt, "s; \"auto\" is a share of the largest stable step", Range{1e-9, 1e3}, "auto"},
+    Key{"precision", &TimeSettings::precision, "float or double"},
 };
 
 inline constexpr std::tuple view_keys{
-    Field{"texture", &ViewSettings::texture, "the picture on the cloth"},
-    Field{"cloth", &ViewSettings::cloth, "the cloth itself"},
-    Field{"springs", &ViewSettings::springs, "springs as lines"},
-    Field{"forces", &ViewSettings::forces, "springs coloured by their force"},
-    Field{"masses", &ViewSettings::masses, "masses as points"},
-    Field{"texture_proportions", &ViewSettings::texture_proportions, "the flag takes the proportions of its picture"},
+    Key{"texture", &ViewSettings::texture, "the picture on the cloth"},
+    Key{"cloth", &ViewSettings::cloth, "the cloth itself"},
+    Key{"springs", &ViewSettings::springs, "springs as lines"},
+    Key{"forces", &ViewSettings::forces, "springs coloured by their force"},
+    Key{"masses", &ViewSettings::masses, "masses as points"},
+    Key{"texture_proportions", &ViewSettings::texture_proportions, "the flag takes the proportions of its picture"},
 };
+
+/// Calls visit for the table of a term or limit, if it has one.
+template <class Listed, class Visit>
+void visit_table_of(Listed& listed, Visit&& visit) {
+    using Term = typename std::remove_const_t<Listed>::value_type;
+    if constexpr (requires { Term::table; }) visit(Term::table, listed, keys_of<Term>, false);
+}
 
 /// Calls visit(table name, settings or optional settings, its keys, whether a file must have it) in the order of a
 /// file. The keys before the first table have the name "".
@@ -128,21 +150,21 @@ void each_table(AnyScene& scene, Visit&& visit) {
     visit("", scene, scene_keys, false);
     visit("flag", scene.flag, flag_keys, false);
     visit("springs", scene.springs, springs_keys, true);
-    visit("gravity", scene.gravity, gravity_keys, false);
-    visit("wind", scene.wind, wind_keys, false);
+    Terms::for_all(scene.terms, [&](auto& term) { visit_table_of(term, visit); });
+    Limits::for_all(scene.limits, [&](auto& limit) { visit_table_of(limit, visit); });
     visit("time", scene.time, time_keys, false);
     visit("view", scene.view, view_keys, false);
 }
 
 template <class Keys, class Visit>
-void each_field(const Keys& keys, Visit&& visit) {
+void each_key(const Keys& keys, Visit&& visit) {
     std::apply([&](const auto&... field) { (visit(field), ...); }, keys);
 }
 
 template <class Keys>
 std::vector<std::string_view> names_in(const Keys& keys) {
     std::vector<std::string_view> names;
-    each_field(keys, [&](const auto& field) { names.push_back(field.key); });
+    each_key(keys, [&](const auto& field) { names.push_back(field.key); });
     return names;
 }
 
@@ -197,7 +219,7 @@ inline std::string allowed_text(int, const Range& range) {
     return "a whole number" + range_text(range) + " is allowed";
 }
 inline std::string allowed_text(std::uint64_t, const Range&) {
-    return "a whole number from 0 to " + std::to_string(greatest_seed) + " is allowed";
+    return "a whole number from 0 to " + std::to_string(max_seed) + " is allowed";
 }
 inline std::string allowed_text(double, const Range& range) {
     return "a number" + range_text(range) + " is allowed";
@@ -213,11 +235,11 @@ requires std::is_enum_v<Enum> std::string allowed_text(Enum value, const Range&)
     return choices(names_of(value)) + " is allowed";
 }
 template <class Settings, class Value>
-std::string allowed_text(const Field<Settings, Value>& field) {
+std::string allowed_text(const Key<Settings, Value>& field) {
     return allowed_text(Value{}, field.range);
 }
 template <class Settings, class Value>
-std::string allowed_text(const Field<Settings, std::optional<Value>>& field) {
+std::string allowed_text(const Key<Settings, std::optional<Value>>& field) {
     return (field.absent.empty() ? "" : in_quotes(field.absent) + " or ") + allowed_text(Value{}, field.range);
 }
 
@@ -230,7 +252,7 @@ inline bool is_allowed(int value, const Range& range) {
     return range.contains(value);
 }
 inline bool is_allowed(std::uint64_t value, const Range&) {
-    return value <= static_cast<std::uint64_t>(greatest_seed);
+    return value <= static_cast<std::uint64_t>(max_seed);
 }
 inline bool is_allowed(double value, const Range& range) {
     return range.contains(value);

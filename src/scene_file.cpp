@@ -102,11 +102,11 @@ bool take(const toml::node& node, Enum& value) {
 }
 
 template <class Settings, class Value>
-bool take_field(const toml::node& node, Settings& settings, const Field<Settings, Value>& field) {
+bool take_field(const toml::node& node, Settings& settings, const Key<Settings, Value>& field) {
     return take(node, settings.*field.member);
 }
 template <class Settings, class Value>
-bool take_field(const toml::node& node, Settings& settings, const Field<Settings, std::optional<Value>>& field) {
+bool take_field(const toml::node& node, Settings& settings, const Key<Settings, std::optional<Value>>& field) {
     auto& value = settings.*field.member;
     value.reset();
     if (!field.absent.empty() && node.value<std::string_view>() == field.absent) return true;
@@ -155,7 +155,7 @@ void refuse_unknown_keys(const toml::table& node, std::string_view table, std::s
 template <class Settings, class Keys>
 void read_keys(const toml::table& node, const std::string& table, Settings& settings, const Keys& keys,
                const std::string& origin) {
-    each_field(keys, [&](const auto& field) {
+    each_key(keys, [&](const auto& field) {
         const std::string name = full_name(table, field.key);
         const toml::node* value = node.get(field.key);
         if (!value && field.required) fail(origin, node, name + " is missing: " + allowed_text(field));

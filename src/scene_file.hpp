@@ -42,6 +42,8 @@ std::string_view name_of(Attach attach);
 std::string_view name_of(Start start);
 std::string_view name_of(Method method);
 std::string_view name_of(Precision precision);
+/// "forward-euler, ... or rk4", for help and messages.
+std::string method_choices();
 
 /// The value of that name; throws InputError listing the allowed names, prefixed by `what` (for example "--method").
 Attach attach_named(std::string_view name, const std::string& what);

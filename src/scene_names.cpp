@@ -45,6 +45,10 @@ std::string_view name_of(Precision precision) {
     return name_in_list(precision);
 }
 
+std::string method_choices() {
+    return choices(scene_fields::method_names);
+}
+
 Attach attach_named(std::string_view name, const std::string& what) {
     return value_named<Attach>(name, what);
 }

@@ -9,7 +9,7 @@ namespace {
 
 /// One line "key = value  # comment", comments aligned; nothing for an absent optional that has no word.
 template <class Settings, class Value>
-void write_field(std::string& text, const Settings& settings, const scene_fields::Field<Settings, Value>& field) {
+void write_field(std::string& text, const Settings& settings, const scene_fields::Key<Settings, Value>& field) {
     const Value& value = settings.*field.member;
     std::string line = std::string(field.key) + " = ";
     if constexpr (requires { value.has_value(); }) {
@@ -31,7 +31,7 @@ std::string write_scene(const Scene& scene) {
         const auto* values = scene_fields::listed(settings);
         if (!values) return;
         if (!table.empty()) text += "\n[" + table + "]\n";
-        scene_fields::each_field(keys, [&](const auto& field) { write_field(text, *values, field); });
+        scene_fields::each_key(keys, [&](const auto& field) { write_field(text, *values, field); });
     });
     return text;
 }

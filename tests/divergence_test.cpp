@@ -1,7 +1,7 @@
 // Divergence: a run that comes apart stops on its last good state and says when, where and why.
 #include "catch.hpp"
 #include "error.hpp"
-#include "simulation.hpp"
+#include "run/simulation.hpp"
 
 #include <cmath>
 #include <limits>

@@ -2,7 +2,7 @@
 
 #include "error.hpp"
 #include "kernels/kernels.hpp"
-#include "simulation.hpp"
+#include "run/simulation.hpp"
 
 #include <cmath>
 #include <cstdlib>

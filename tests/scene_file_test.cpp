@@ -3,7 +3,7 @@
 
 #include "error.hpp"
 #include "scene_file.hpp"
-#include "simulation.hpp"
+#include "run/simulation.hpp"
 #include "text.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Simulation: a run keeps its time, its bits and, through a change of settings, its state.
 #include "catch.hpp"
 #include "physics_sheet.hpp"
-#include "simulation.hpp"
+#include "run/simulation.hpp"
 
 #include <set>
 

@@ -1,7 +1,7 @@
 // Wind: a pure function of seed and absolute time, as strong and as smooth as asked.
 #include "catch.hpp"
 #include "physics_sheet.hpp"
-#include "simulation.hpp"
+#include "run/simulation.hpp"
 
 using namespace drapeau;
 using namespace drapeau::testing;

@@ -1,62 +1,206 @@
 // Advance: the sweep with a method as its `finish`: each row is moved in place as soon as its force is complete.
 #pragma once
 
-#include "drapeau/model.hpp"
+#include "drapeau/method.hpp"
 #include "drapeau/sweep.hpp"
 
+#include <utility>
+
 namespace drapeau {
+inline namespace DRAPEAU_ISA {
 
-/// Moves one row: a = force / m + uniform, then the method. Attached masses and padding (inverse mass 0) stay.
-template <class V, class Pair, bool diagonals, class Method, class UniformForces>
-DRAPEAU_INLINE void advance_row(Sweep<V, Pair, diagonals>& sweep, const Row<typename Lanes<V>::Real>& here,
-                                const Row<typename Lanes<V>::Real>* next, const typename Lanes<V>::Real* inverse_mass,
-                                const UniformForces& uniform, typename Lanes<V>::Real dt, Method) {
+/// The rows of a pass, those of the halos included.
+template <class Real, int fields>
+struct PassRow {
+    Field<Real> field[fields];
+
+    DRAPEAU_INLINE PassRow(const Pass<Real>& pass, int j) {
+        const int above = j - (pass.first - pass.halo), below = j - pass.last;
+        for (int f = 0; f < fields; ++f)
+            field[f] = j < pass.first  ? pass.above[f].row(above)
+                       : j < pass.last ? pass.fields[f].row(j)
+                                       : pass.below[f].row(below);
+    }
+};
+
+/// The acceleration but for drag and friction of a register of masses; zero where held, whatever the force.
+template <class V>
+DRAPEAU_INLINE Triple<V> acceleration_of(const Triple<V>& force, V inverse_mass, const Triple<V>& pushed) {
     using L = Lanes<V>;
-    sweep.row(here, next, [&](int i, const Triple<V>& force) DRAPEAU_INLINE_LAMBDA {
-        const V w = L::load(inverse_mass + i);
-        auto x = here.template position<V>(i), v = here.template velocity<V>(i);
-        auto a = uniform.add_to(w * force, v);
-        a = {L::where_positive(w, a.x), L::where_positive(w, a.y), L::where_positive(w, a.z)};
-        Method::move(x, v, a, dt);
-        here.set_position(i, x);
-        here.set_velocity(i, v);
-    });
+    const auto a = inverse_mass * force + pushed;
+    return {L::where_positive(inverse_mass, a.x), L::where_positive(inverse_mass, a.y),
+            L::where_positive(inverse_mass, a.z)};
 }
 
-/// Advances the rows first <= j < last by one step. `above` and `below` are copies of the neighbouring rows as they
-/// were before the step (null at the cloth's border); `above` goes through the sweep too, for what it leaves to row
-/// `first`, in the same loop and so by the same instructions as where another thread moves it, and is spent afterwards.
-template <class V, class Pair, bool diagonals, class Method, class UniformForces, class Real>
-void advance_rows(const Rows<Real>& rows, int first, int last, const Row<Real>* above, const Row<Real>* below,
-                  const FabricView<Real>& fabric, const UniformForces& uniform, Real dt, SweepBuffers<Real>& buffers) {
-    Sweep<V, Pair, diagonals> sweep(fabric.springs, buffers);
+/// Sweeps the rows of a pass. Calls finish(fields of the row, its constants, i, value) on each register and
+/// row_end(j, operation) after each row, those of the halo above included.
+template <class V, class Operation, bool diagonals, int fields, int seen_position, int seen_velocity, class Finish,
+          class RowEnd>
+DRAPEAU_INLINE void for_rows(const Pass<typename Lanes<V>::Real>& pass, Finish&& finish, RowEnd&& row_end) {
+    using Real = typename Lanes<V>::Real;
+    Sweep<V, Operation, diagonals> sweep(pass.waiting, pass.width);
     sweep.begin();
-    for (int j = above ? first - 1 : first; j < last; ++j) {
-        const Row<Real> here = j < first ? *above : rows[j], inner = rows[j + 1];
-        advance_row(sweep, here, j + 1 < last ? &inner : below, fabric.inverse_mass_of(j), uniform, dt, Method{});
+    const bool at_top = pass.above[0].x == nullptr, at_bottom = pass.below[0].x == nullptr;
+    for (int j = at_top ? pass.first : pass.first - pass.halo; j < pass.last; ++j) {
+        if (pass.accelerate) pass.accelerate(pass.terms, j, pass.time);
+        const PassRow<Real, fields> here(pass, j);
+        const RowConstants<Real> constants = pass.constants[j];
+        const SeenRow<Real> seen{here.field[seen_position], here.field[seen_velocity]};
+        const auto at_register = [&](int i, const typename Operation::Value& value) DRAPEAU_INLINE_LAMBDA {
+            finish(here.field, constants, i, value);
+        };
+        if (j + 1 < pass.last || !at_bottom) {
+            const PassRow<Real, fields> next(pass, j + 1);
+            const SeenRow<Real> seen_next{next.field[seen_position], next.field[seen_velocity]};
+            sweep.row(constants, seen, &seen_next, at_register);
+        } else {
+            sweep.row(constants, seen, nullptr, at_register);
+        }
+        row_end(j, sweep.operation);
+        sweep.operation = {};
     }
 }
 
-/// Advances a whole cloth by one step.
-template <class V, class Pair, bool diagonals, class Method, class UniformForces, class Real>
-void advance_cloth(const Rows<Real>& rows, const FabricView<Real>& fabric, const UniformForces& uniform, Real dt,
-                   SweepBuffers<Real>& buffers) {
-    const Row<Real>* const none = nullptr;
-    advance_rows<V, Pair, diagonals, Method>(rows, 0, rows.rows, none, none, fabric, uniform, dt, buffers);
+/// One pass of a step. `rated`: whether there is drag or friction.
+template <class V, class Method, int number, bool damped, bool diagonals, bool rated>
+void advance_rows(const Pass<typename Lanes<V>::Real>& pass) {
+    using L = Lanes<V>;
+    using Real = typename L::Real;
+    constexpr int fields = Method::template fields<damped>;
+    const auto pushed = pass.acceleration;
+    const Real dt = pass.dt;
+    for_rows<V, SpringForce<V, damped>, diagonals, fields, Method::template seen_position<damped>,
+             Method::template seen_velocity<damped>>(
+        pass,
+        [&](const Field<Real>* row, const RowConstants<Real>& constants, int i, const Triple<V>& force)
+            DRAPEAU_INLINE_LAMBDA {
+                const auto a = acceleration_of(force, L::load(constants.inverse_mass + i), pushed.template at<V>(i));
+                if constexpr (rated)
+                    Method::template move<number, damped>(Masses<V>{row, i}, a, L::load(constants.rate + i), dt);
+                else
+                    Method::template move<number, damped>(Masses<V>{row, i}, a, NoRate{}, dt);
+            },
+        [](int, const auto&) DRAPEAU_INLINE_LAMBDA {});
 }
 
-/// Stores the springs' force on every mass (N) instead of moving it; `forces` has the shape of one component each.
-template <class V, class Pair, bool diagonals, class Real>
-void spring_forces(const Rows<Real>& rows, const FabricView<Real>& fabric, const ForceRow<Real>& forces,
-                   SweepBuffers<Real>& buffers) {
-    Sweep<V, Pair, diagonals> sweep(fabric.springs, buffers);
-    sweep.begin();
-    for (int j = 0; j < rows.rows; ++j) {
-        const Row<Real> next = rows[j + 1];
-        const std::ptrdiff_t start = j * rows.stride;
-        sweep.row(rows[j], j + 1 < rows.rows ? &next : nullptr,
-                  [&](int i, const Triple<V>& force) DRAPEAU_INLINE_LAMBDA { forces.set(start + i, force); });
-    }
+/// The same pass, its forces taken apart and their work summed for each row: dt F . v with the method's own v and
+/// weight, so that the work of all forces is what the kinetic energy gains.
+template <class V, class Method, int number, bool damped, bool diagonals>
+void advance_rows_accounted(const Pass<typename Lanes<V>::Real>& pass) {
+    using L = Lanes<V>;
+    using Real = typename L::Real;
+    constexpr int fields = Method::template fields<damped>;
+    const auto pushed = pass.acceleration;
+    const Real dt = pass.dt;
+    V external{}, damping{};
+    for_rows<V, SpringForceParts<V, damped>, diagonals, fields, Method::template seen_position<damped>,
+             Method::template seen_velocity<damped>>(
+        pass,
+        [&](const Field<Real>* row, const RowConstants<Real>& constants, int i, const Parts<V>& force)
+            DRAPEAU_INLINE_LAMBDA {
+                const V w = L::load(constants.inverse_mass + i), m = L::load(constants.mass + i);
+                const auto springs = force.elastic + force.damping;
+                const auto a = acceleration_of(springs, w, pushed.template at<V>(i));
+                const auto motion =
+                    Method::template move<number, damped>(Masses<V>{row, i}, a, L::load(constants.rate + i), dt);
+                external = external + m * dot(motion.acceleration - w * springs, motion.velocity);
+                damping = damping + dot((m * w) * force.damping, motion.velocity);
+            },
+        [&](int j, const auto&) DRAPEAU_INLINE_LAMBDA {
+            if (j >= pass.first) {
+                const double step = static_cast<double>(dt) * Method::weight[number];
+                pass.sums[j].external_work += step * sum_of(external);
+                pass.sums[j].damping_work += step * sum_of(damping);
+            }
+            external = damping = V{};
+        });
 }
 
+/// Energy and stretch of the state as it is; nothing moves.
+template <class V, class Method, bool damped, bool diagonals>
+void measure_rows(const Pass<typename Lanes<V>::Real>& pass) {
+    using L = Lanes<V>;
+    using Real = typename L::Real;
+    constexpr int fields = Method::template fields<damped>;
+    const auto pushed = pass.acceleration;
+    const Real dt = pass.dt;
+    V kinetic{}, power{};
+    Triple<V> moment{};
+    for_rows<V, SpringGauge<V, damped>, diagonals, fields, 0, Method::template seen_velocity<damped>>(
+        pass,
+        [&](const Field<Real>* row, const RowConstants<Real>& constants, int i, const Parts<V>& force)
+            DRAPEAU_INLINE_LAMBDA {
+                const V w = L::load(constants.inverse_mass + i), m = L::load(constants.mass + i);
+                const auto v = row[1].template at<V>(i);
+                const auto a = Method::total(
+                    acceleration_of(force.elastic + force.damping, w, pushed.template at<V>(i)),
+                    L::load(constants.rate + i), v, dt);
+                if constexpr (Method::staggered)
+                    kinetic = kinetic + m * dot(v, v + dt * a);
+                else
+                    kinetic = kinetic + m * dot(v, v);
+                power = power + m * dot(a - w * force.elastic, v);
+                moment = moment + m * row[0].template at<V>(i);
+            },
+        [&](int j, const auto& gauge) DRAPEAU_INLINE_LAMBDA {
+            if (j >= pass.first) {
+                RowSums& sums = pass.sums[j];
+                sums.kinetic = 0.5 * sum_of(kinetic);
+                sums.power = sum_of(power);
+                sums.elastic = sum_of(gauge.elastic);
+                sums.stretch = sum_of(gauge.stretch);
+                sums.max_stretch = max_of(gauge.max_stretch);
+                sums.max_force = max_of(gauge.max_force);
+                sums.force_squares = sum_of(gauge.force_squares);
+                sums.moment[0] = sum_of(moment.x), sums.moment[1] = sum_of(moment.y), sums.moment[2] = sum_of(moment.z);
+            }
+            kinetic = power = V{};
+            moment = Triple<V>{};
+        });
+}
+
+/// The acceleration but for drag and friction of every mass, stored in pass.out.
+template <class V, class Method, bool damped, bool diagonals>
+void evaluate_rows(const Pass<typename Lanes<V>::Real>& pass) {
+    using L = Lanes<V>;
+    using Real = typename L::Real;
+    constexpr int fields = Method::template fields<damped>;
+    const auto pushed = pass.acceleration;
+    Field<Real> out = pass.out.row(pass.first);  // a halo's values are overwritten by the row's own
+    for_rows<V, SpringForce<V, damped>, diagonals, fields, 0, Method::template seen_velocity<damped>>(
+        pass,
+        [&](const Field<Real>*, const RowConstants<Real>& constants, int i, const Triple<V>& force)
+            DRAPEAU_INLINE_LAMBDA {
+                out.set(i, acceleration_of(force, L::load(constants.inverse_mass + i), pushed.template at<V>(i)));
+            },
+        [&](int j, const auto&) DRAPEAU_INLINE_LAMBDA {
+            if (j >= pass.first) out = pass.out.row(j + 1);
+        });
+}
+
+/// A method's kernels in registers of V.
+template <class V, class Method, bool damped, bool diagonals, bool rated = true>
+constexpr Kernels<typename Lanes<V>::Real> kernels_of() {
+    using Real = typename Lanes<V>::Real;
+    Kernels<Real> k{};
+    k.passes = Method::passes;
+    k.fields = Method::template fields<damped>;
+    k.seen_position = Method::template seen_position<damped>;
+    k.seen_velocity = Method::template seen_velocity<damped>;
+    k.staggered = Method::staggered;
+    k.starts_with_forces = Method::starts_with_forces;
+    [&]<int... n>(std::integer_sequence<int, n...>) {
+        ((k.stage_time[n] = Method::stage_time[n]), ...);
+        ((k.advance[n] = &advance_rows<V, Method, n, damped, diagonals, rated>), ...);
+        ((k.advance_accounted[n] = &advance_rows_accounted<V, Method, n, damped, diagonals>), ...);
+    }(std::make_integer_sequence<int, Method::passes>());
+    k.measure = &measure_rows<V, Method, damped, diagonals>;
+    k.evaluate = &evaluate_rows<V, Method, damped, diagonals>;
+    k.start = &Method::template start<damped, Real>;
+    k.synchronised = &Method::template synchronised<damped, Real>;
+    k.follow = &Method::template follow<damped, Real>;
+    return k;
+}
+
+}  // namespace DRAPEAU_ISA
 }  // namespace drapeau

@@ -1,17 +1,5 @@
-// The whole core: cloth, fabric, spring, forces, wind, sweep, integrators, stability, energy, start, scene.
+// The whole core. To read it: field and state, term and model, spring, sweep, advance, one of methods/, one of terms/,
+// stepper, flag.
 #pragma once
 
-#include "drapeau/advance.hpp"
-#include "drapeau/state.hpp"
-#include "drapeau/energy.hpp"
-#include "drapeau/model.hpp"
 #include "drapeau/flag.hpp"
-#include "drapeau/forces.hpp"
-#include "drapeau/methods/forward_euler.hpp"
-#include "drapeau/methods/semi_implicit_euler.hpp"
-#include "scene.hpp"
-#include "drapeau/spring.hpp"
-#include "drapeau/stability.hpp"
-#include "drapeau/start.hpp"
-#include "drapeau/sweep.hpp"
-#include "drapeau/terms/wind.hpp"

@@ -1,27 +1,23 @@
-// Flag: a cloth, its fabric and the terms that act on it, for who embeds the core.
+// Flag: a model, a method and the terms that act on it, for who embeds the core.
 //
-//   Flag<float, StructuralSprings, Gravity> chain(spread(1, 10, 0, 1), Attach::top, 0.01, StructuralSprings{200},
-//   Gravity{}); chain.advance(SemiImplicitEuler{}, 1e-4, 1000);
+//   Flag<float, Leapfrog, Gravity> chain(spread(1, 10, 0, 1), Attach::top, {.mass = 0.01, .stiffness = 200}, Gravity{});
+//   chain.set_step(1e-4);
+//   chain.advance(1000);
 //
-// A term that is not in the list has no member, no branch and no loop; zero strength is not absence.
+// Diagonal springs, spring damping and terms are listed as types: what is not listed is not compiled, and zero strength
+// is not absence.
 #pragma once
 
-#include "drapeau/advance.hpp"
-#include "drapeau/energy.hpp"
-#include "drapeau/forces.hpp"
-#include "drapeau/methods/forward_euler.hpp"
-#include "drapeau/methods/semi_implicit_euler.hpp"
+#include "drapeau/methods/list.hpp"
 #include "drapeau/stability.hpp"
 #include "drapeau/start.hpp"
+#include "drapeau/stepper.hpp"
 
 #include <concepts>
-#include <tuple>
 
 namespace drapeau {
+inline namespace DRAPEAU_ISA {
 
-struct StructuralSprings {
-    double k = 200.0;  // N/m; larger needs a smaller step
-};
 struct DiagonalSprings {
     double k = 100.0;  // N/m; half the structural k makes the sheet isotropic
 };
@@ -29,77 +25,107 @@ struct SpringDamping {
     double c = 0.0;  // N s/m along every spring; larger needs a smaller step
 };
 
-template <class Real, class... Terms>
-class Flag {
-    template <class Term>
-    static constexpr bool has = (std::same_as<Term, Terms> || ...);
-    static_assert(has<StructuralSprings>, "a flag is held together by structural springs");
-
-public:
-    using Pair = SpringForce<has<SpringDamping>>;
-    static constexpr bool diagonals = has<DiagonalSprings>;
-
-    /// Flat, at rest, its top corner at the hoist at the origin. Mass in kg, of every mass alike.
-    Flag(const Grid& grid, Attach attach, double mass, const Terms&... terms)
-        : material_(material_of(mass, terms...)),
-          rates_(Rates::of(grid, material_, term_or(AirDrag{}, terms...).d, term_or(Friction{}, terms...).c_f)),
-          terms_(terms...),
-          cloth_(grid),
-          fabric_(grid, attach, material_),
-          buffers_(cloth_.width()) {
-        for (int j = 0; j < grid.rows; ++j)
-            for (int i = 0; i < grid.columns; ++i) cloth_.set_position(i, j, grid.rest(i, j));
-    }
-
-    /// Takes `steps` steps of dt seconds. Nothing is allocated and nothing is thrown.
-    template <class Method>
-    void advance(Method, double dt, long long steps) {
-        for (long long n = 0; n < steps; ++n) {
-            const double t = start_ + static_cast<double>(n) * dt;
-            const auto uniform =
-                std::apply([&](const Terms&... terms) { return fold<Real>(material_.mass, t, terms...); }, terms_);
-            advance_cloth<Vector<Real>, Pair, diagonals, Method>(cloth_.view(), fabric_.view(), uniform,
-                                                                 static_cast<Real>(dt), buffers_);
-        }
-        start_ += static_cast<double>(steps) * dt;
-    }
-
-    double time() const { return start_; }  // s
-    Cloth<Real>& cloth() { return cloth_; }
-    const Cloth<Real>& cloth() const { return cloth_; }
-    const Material& material() const { return material_; }
-    Energy energy() const { return measure(cloth_, material_); }
-
-    /// The largest step (s) that the closed bound allows (stability.hpp); 0 if there is none.
-    template <class Method>
-    double largest_stable_step(Method method) const {
-        return largest_step(method, rates_);
-    }
-
-private:
-    template <class Term>
-    static Term term_or(const Term& otherwise, const Terms&... terms) {
-        Term found = otherwise;
-        const auto take = [&]<class T>(const T& term) {
-            if constexpr (std::same_as<T, Term>) found = term;
-        };
-        (take(terms), ...);
-        return found;
-    }
-    static Material material_of(double mass, const Terms&... terms) {
-        Material material{mass, term_or(StructuralSprings{}, terms...).k, {}, {}};
-        if constexpr (has<DiagonalSprings>) material.diagonal_stiffness = term_or(DiagonalSprings{}, terms...).k;
-        if constexpr (has<SpringDamping>) material.damping = term_or(SpringDamping{}, terms...).c;
-        return material;
-    }
-
-    Material material_;
-    Rates rates_;
-    std::tuple<Terms...> terms_;
-    Cloth<Real> cloth_;
-    Fabric<Real> fabric_;
-    SweepBuffers<Real> buffers_;
-    double start_ = 0.0;
+/// Masses and structural springs, every one alike.
+struct Cloth {
+    double mass = 0.0001;      // kg, of every mass
+    double stiffness = 200.0;  // k, N/m; larger needs a smaller step
 };
 
+template <class Real, class Method, class... Listed>
+class Flag {
+    template <class T>
+    static constexpr bool has = (std::same_as<T, Listed> || ...);
+    template <class T>
+    static constexpr bool brakes = requires(T term) { term.damping(1.0); };
+
+public:
+    static constexpr bool damped = has<SpringDamping>, diagonals = has<DiagonalSprings>;
+    static constexpr bool rated = (brakes<Listed> || ...);
+
+    /// Flat, at rest, its top corner at the hoist at the origin. The automatic step until another is set.
+    Flag(const Grid& grid, Attach attach, const Cloth& cloth, const Listed&... listed)
+        : model_(model_of(grid, attach, cloth, listed...)),
+          stepper_(model_, kernels_of<Vector<Real>, Method, damped, diagonals, rated>()) {
+        const auto limit = stable_step(Method{}, model_);
+        set_step(whole_steps_per_batch(
+            limit.is_none() ? batch_seconds
+                            : std::min(automatic_share(model_) * limit.seconds(), Method::coarsest_step)));
+    }
+
+    /// Shares the work among so many threads; the result is the same for any number. Throws std::system_error where the
+    /// system gives no more.
+    void use_threads(int count) { stepper_.use_threads(count); }
+
+    /// The step (s) from now on. Time is a whole number of steps times dt from the moment it was last set.
+    void set_step(double dt) {
+        if (dt == clock_.dt) return;
+        stepper_.synchronise(time());
+        clock_ = {time(), steps_, dt};
+    }
+    /// Takes `steps` steps. Nothing is allocated and nothing is thrown.
+    Report advance(long long steps) {
+        const long long from = steps_;
+        steps_ += steps;
+        return stepper_.advance(clock_, from, steps_, false);
+    }
+    /// Takes the steps of `count` sixtieths of a second; their step is made to fill them first.
+    Report advance_batches(long long count) {
+        set_step(whole_steps_per_batch(clock_.dt));
+        return advance(count * std::llround(batch_seconds / clock_.dt));
+    }
+
+    /// Changes a strength while the flag flies on. Nothing is built anew.
+    template <class T>
+    requires(has<T>) void set(const T& listed) {
+        take(model_, listed);
+        stepper_.refill(model_);
+    }
+    void set(const Cloth& cloth) {
+        take(model_, cloth);
+        stepper_.refill(model_);
+    }
+
+    double time() const { return clock_.at(steps_); }  // s
+    long long steps() const { return steps_; }
+    double dt() const { return clock_.dt; }  // s
+    const Model& model() const { return model_; }
+
+    glm::dvec3 position(int i, int j) const { return stepper_.position().at(i, j); }  // m
+    /// Position and velocity at the same time.
+    State<double> state() { return stepper_.state(time()); }
+    void set_state(const State<double>& state) { stepper_.set(state); }
+    Measurement measure() { return stepper_.measure(time()); }
+
+    /// The largest step that the closed bound allows (stability.hpp).
+    StableStep largest_stable_step() const { return stable_step(Method{}, model_); }
+
+private:
+    static void take(Model& model, const Cloth& cloth) {
+        model.springs.mass = cloth.mass;
+        model.springs.stiffness = cloth.stiffness;
+    }
+    static void take(Model& model, const DiagonalSprings& diagonal) { model.springs.diagonal_stiffness = diagonal.k; }
+    static void take(Model& model, const SpringDamping& damping) { model.springs.damping = damping.c; }
+    template <class T>
+    static void take(Model& model, const T& listed) {
+        if constexpr (requires { model.terms.template get<T>(); })
+            model.terms.add(listed);
+        else
+            model.limits.add(listed);
+    }
+    static Model model_of(const Grid& grid, Attach attach, const Cloth& cloth, const Listed&... listed) {
+        static_assert(!has<Wind> || has<AirDrag>, "wind is felt through drag: list AirDrag too");
+        Model model(grid, {.diagonal_stiffness = {}, .damping = {}}, attach);
+        take(model, cloth);
+        (take(model, listed), ...);
+        return model;
+    }
+
+    Model model_;
+    Stepper<Real> stepper_;
+    Clock clock_;
+    long long steps_ = 0;
+};
+
+}  // namespace DRAPEAU_ISA
 }  // namespace drapeau

@@ -48,6 +48,8 @@ struct Lanes {
     DRAPEAU_INLINE static V broadcast(Real value) { return value - V{}; }
     /// where > 0 ? value : 0, lane by lane: a selection, so that a NaN in `value` does not leak through a zero.
     DRAPEAU_INLINE static V where_positive(V where, V value) { return where > V{} ? value : V{}; }
+    /// The greater of two, lane by lane; `a` where b is NaN.
+    DRAPEAU_INLINE static V greater(V a, V b) { return b > a ? b : a; }
     /// The lanes one place to the left of those of `here`, where `left` is the register to the left of it.
     DRAPEAU_INLINE static V shifted(V left, V here) { return shifted(left, here, std::make_index_sequence<width>()); }
 
@@ -68,8 +70,31 @@ struct Lanes<V> {
     DRAPEAU_INLINE static void store(Real* to, V value) { *to = value; }
     DRAPEAU_INLINE static V broadcast(Real value) { return value; }
     DRAPEAU_INLINE static V where_positive(V where, V value) { return where > V{} ? value : V{}; }
+    DRAPEAU_INLINE static V greater(V a, V b) { return b > a ? b : a; }
     DRAPEAU_INLINE static V shifted(V left, V) { return left; }
 };
+
+/// Lane n of a value, in double.
+template <class V>
+DRAPEAU_INLINE double lane(const V& value, int n) {
+    if constexpr (std::is_floating_point_v<V>)
+        return static_cast<double>(value);
+    else
+        return static_cast<double>(value[n]);
+}
+/// The sum over the lanes, from the left.
+template <class V>
+DRAPEAU_INLINE double sum_of(const V& value) {
+    double sum = 0.0;
+    for (int n = 0; n < Lanes<V>::width; ++n) sum += lane(value, n);
+    return sum;
+}
+template <class V>
+DRAPEAU_INLINE double max_of(const V& value) {
+    double most = lane(value, 0);
+    for (int n = 1; n < Lanes<V>::width; ++n) most = lane(value, n) > most ? lane(value, n) : most;
+    return most;
+}
 
 /// 1/sqrt(s) for s > 0, to about one unit in the last place of float (two of double), without a division or a square
 /// root, which a core can only do every ten cycles or so.

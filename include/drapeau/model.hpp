@@ -1,15 +1,24 @@
-// Fabric: what a flag is made of, as the row-long arrays that the sweep reads: springs, masses and what is attached.
+// Model: what is modelled: grid, masses, springs, attachments, terms and limits. Built once from the settings; the
+// sweep, energies, bounds, starts, tests, the benchmark and the colours of the picture all read this one description.
 #pragma once
 
+#include "drapeau/limits/list.hpp"
+#include "drapeau/method.hpp"
 #include "drapeau/state.hpp"
-#include "scene.hpp"
-#include "drapeau/sweep.hpp"
+#include "drapeau/terms/list.hpp"
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace drapeau {
 
-/// Whether mass (i, j) is held where it is.
+/// Which masses are held where they are.
+enum class Attach { hoist, grommets, top, corner, edges, all, none };
+
+inline namespace DRAPEAU_ISA {
+
+/// Whether mass (i, j) is held.
 inline bool is_attached(Attach attach, const Grid& grid, int i, int j) {
     const bool hoist = i == 0, top = j == 0, bottom = j == grid.rows - 1;
     switch (attach) {
@@ -31,63 +40,185 @@ inline bool is_attached(Attach attach, const Grid& grid, int i, int j) {
     return false;
 }
 
-/// The report's material: every mass and every spring alike, borders too.
-struct Material {
+/// Masses and springs, every one alike.
+struct Springs {
     double mass = 0.0001;                      // kg, of every mass
-    double stiffness = 200.0;                  // k of structural springs, N/m
-    std::optional<double> diagonal_stiffness;  // N/m; absent: no diagonal springs
-    std::optional<double> damping;             // c of every spring, N s/m; absent: none
+    double stiffness = 200.0;                  // k of structural springs, N/m; larger needs a smaller step
+    std::optional<double> diagonal_stiffness;  // k of diagonal springs, N/m; absent: no diagonal springs
+    std::optional<double> damping;             // c of every spring, N s/m; larger needs a smaller step; absent: none
+
+    bool operator==(const Springs&) const = default;
 };
 
-/// What kernels are given of a fabric.
-template <class Real>
-struct FabricView {
-    SpringRows<Real> springs;
-    const Real* inverse_mass[3];  // 1/kg, of the top row, of any row between, of the bottom row; 0 where attached
-    int rows;
+/// Borders as light as the cloth they stand for: half the mass and drag (corners a quarter), border springs half as
+/// stiff. Or all alike, as in the report.
+enum class Borders { alike, light };
 
-    DRAPEAU_INLINE const Real* inverse_mass_of(int j) const { return inverse_mass[j == 0 ? 0 : j == rows - 1 ? 2 : 1]; }
-};
-
-template <class Real>
-class Fabric {
+class Model {
 public:
-    Fabric(const Grid& grid, Attach attach, const Material& material)
-        : width_(padded<Real>(grid.columns)), rows_(grid.rows), all_(12 * static_cast<std::size_t>(width_)) {
-        const auto fill = [&](Family family, double k, double length, int springs) {
-            for (int i = 0; i < springs; ++i) {
-                part(family, 0)[i] = static_cast<Real>(k);
-                part(family, 1)[i] = static_cast<Real>(k * length);
-                part(family, 2)[i] = static_cast<Real>(material.damping.value_or(0.0));
-            }
-        };
-        fill(fly, material.stiffness, grid.pitch_x, grid.columns - 1);
-        fill(hoist, material.stiffness, grid.pitch_y, grid.columns);
-        if (material.diagonal_stiffness)
-            fill(diagonal, *material.diagonal_stiffness, grid.pitch_diagonal(), grid.columns - 1);
+    /// One row's shares of mass, of the springs to the right and of those downwards. Rows alike share one.
+    struct Kind {
+        std::vector<double> mass, fly, hoist;
+        std::vector<char> held;
+    };
 
-        const int rows_of_kind[3] = {0, 1, grid.rows - 1};
-        for (int kind = 0; kind < 3; ++kind)
-            for (int i = 0; i < grid.columns; ++i) {
-                const bool held = is_attached(attach, grid, i, rows_of_kind[kind]);
-                part(inverse_mass, kind)[i] = held ? Real(0) : static_cast<Real>(1.0 / material.mass);
-            }
+    Model(const Grid& of_grid, const Springs& of_springs, Attach attach, const Terms& listed = {},
+          const Limits& passes = {}, Borders borders = Borders::alike)
+        : grid(of_grid), springs(of_springs), terms(listed), limits(passes) {
+        for (const int j : {0, 1, grid.rows - 1}) kinds_.push_back(kind_of(j, attach, borders));
+        row_.resize(static_cast<std::size_t>(grid.rows), 1);
+        row_.front() = 0;
+        row_.back() = grid.rows > 1 ? 2 : 0;
     }
 
-    FabricView<Real> view() const {
-        const auto springs = [this](Family f) { return SpringRow<Real>{part(f, 0), part(f, 1), part(f, 2)}; };
-        return {{springs(fly), springs(hoist), springs(diagonal)},
-                {part(inverse_mass, 0), part(inverse_mass, 1), part(inverse_mass, 2)},
-                rows_};
+    // Strengths may be set while a run goes on (Stepper::refill); the grid and what is listed may not.
+    Grid grid;
+    Springs springs;
+    Terms terms;
+    Limits limits;
+
+    const std::vector<Kind>& kinds() const { return kinds_; }
+    int kind(int j) const { return row_[static_cast<std::size_t>(j)]; }
+    bool held(int i, int j) const { return at(j).held[i] != 0; }
+    double mass(int i, int j) const { return springs.mass * at(j).mass[i]; }  // kg
+
+    /// Holds one more mass where it is.
+    void hold(int i, int j) {
+        kinds_.push_back(at(j));
+        kinds_.back().held[i] = 1;
+        row_[static_cast<std::size_t>(j)] = static_cast<int>(kinds_.size()) - 1;
+    }
+
+    bool has_diagonals() const { return springs.diagonal_stiffness.has_value(); }
+    bool is_damped() const { return springs.damping.has_value(); }
+
+    /// Drag and friction of a mass with this share of the mass (N s/m), or of the air alone.
+    double damping_on_mass(double share, bool air_alone = false) const {
+        double sum = 0.0;
+        terms.for_each([&]<class Term>(const Term& term) {
+            if constexpr (requires { term.damping(share); }) {
+                constexpr bool air = requires { Term::is_air; };
+                if (air || !air_alone) sum += term.damping(share);
+            }
+        });
+        return sum;
+    }
+    bool varies_by_row() const {
+        bool any = false;
+        terms.for_each([&](const auto& term) {
+            if constexpr (requires { term.varies_by_row(grid); }) any = any || term.varies_by_row(grid);
+        });
+        return any;
+    }
+
+    /// Springs between neighbours of a row, of a column, and across cells.
+    long long springs_in_all() const {
+        const long long c = grid.columns, r = grid.rows;
+        return (c - 1) * r + c * (r - 1) + (has_diagonals() ? 2 * (c - 1) * (r - 1) : 0);
+    }
+
+    /// The fastest modes that any configuration of these springs can have. No spring's Hessian exceeds k I, folded or
+    /// stretched, so the springs resist at most like the graph's Laplacian, whose largest eigenvalue on a grid is
+    /// max(8k, 4k + 8kd), on a chain 4k; dampers likewise. Light borders and held masses do not raise it.
+    std::vector<Oscillator> bounds() const {
+        const double k = springs.stiffness, c = springs.damping.value_or(0.0), m = springs.mass;
+        const double on_mass = damping_on_mass(1.0);
+        if (grid.columns == 1 || grid.rows == 1) return {{m, 4.0 * k, 4.0 * c, on_mass}};
+        const double kd = springs.diagonal_stiffness.value_or(0.0), cd = has_diagonals() ? c : 0.0;
+        return {{m, 8.0 * k, 8.0 * c, on_mass}, {m, 4.0 * k + 8.0 * kd, 4.0 * c + 8.0 * cd, on_mass}};
     }
 
 private:
-    enum Family { fly, hoist, diagonal, inverse_mass };
-    Real* part(int family, int n) { return all_.data() + (3 * family + n) * static_cast<std::ptrdiff_t>(width_); }
-    const Real* part(int family, int n) const { return const_cast<Fabric*>(this)->part(family, n); }
+    const Kind& at(int j) const { return kinds_[static_cast<std::size_t>(row_[static_cast<std::size_t>(j)])]; }
 
-    int width_, rows_;
-    Array<Real> all_;
+    Kind kind_of(int j, Attach attach, Borders borders) const {
+        const auto columns = static_cast<std::size_t>(grid.columns);
+        Kind kind{std::vector(columns, 1.0), std::vector(columns, 1.0), std::vector(columns, 1.0),
+                  std::vector<char>(columns, 0)};
+        const bool light = borders == Borders::light;
+        const bool border_row = light && grid.rows > 1 && (j == 0 || j == grid.rows - 1);
+        for (int i = 0; i < grid.columns; ++i) {
+            const bool border_column = light && grid.columns > 1 && (i == 0 || i == grid.columns - 1);
+            kind.mass[i] = (border_row ? 0.5 : 1.0) * (border_column ? 0.5 : 1.0);
+            kind.fly[i] = border_row ? 0.5 : 1.0;
+            kind.hoist[i] = border_column ? 0.5 : 1.0;
+            kind.held[i] = is_attached(attach, grid, i, j);
+        }
+        return kind;
+    }
+
+    std::vector<Kind> kinds_;
+    std::vector<int> row_;  // the kind of each
 };
 
+/// The model in the precision of a kernel: what the sweep reads, as row-long arrays that rows alike share.
+template <class Real>
+class ModelRows {
+public:
+    explicit ModelRows(const Model& model)
+        : width_(padded<Real>(model.grid.columns)),
+          arrays_(model.kinds().size() * arrays_a_kind * static_cast<std::size_t>(width_)) {
+        for (int j = 0; j < model.grid.rows; ++j) constants_.push_back(constants_of(model, model.kind(j)));
+        refill(model);
+    }
+
+    int width() const { return width_; }
+    const RowConstants<Real>* constants() const { return constants_.data(); }
+    const Real* drag_rate(const Model& model, int j) const { return array(model.kind(j), drag_rate_); }  // 1/s
+
+    /// Takes over the model's strengths. Nothing is allocated.
+    void refill(const Model& model) {
+        const Grid& grid = model.grid;
+        const Springs& s = model.springs;
+        const double c = s.damping.value_or(0.0), kd = s.diagonal_stiffness.value_or(0.0);
+        for (int n = 0; n < static_cast<int>(model.kinds().size()); ++n) {
+            const auto& kind = model.kinds()[static_cast<std::size_t>(n)];
+            for (int i = 0; i < grid.columns; ++i) {
+                const bool right = i + 1 < grid.columns;
+                set_spring(n, fly_, i, right ? kind.fly[i] : 0.0, s.stiffness, grid.pitch_x, c);
+                set_spring(n, hoist_, i, kind.hoist[i], s.stiffness, grid.pitch_y, c);
+                set_spring(n, diagonal_, i, right ? 1.0 : 0.0, kd, grid.pitch_diagonal(), c);
+                const double m = s.mass * kind.mass[i];
+                const bool held = kind.held[i] != 0;
+                const auto set = [&](int which, double value) {
+                    array(n, which)[i] = held ? Real(0) : static_cast<Real>(value);
+                };
+                set(inverse_mass_, 1.0 / m), set(mass_, m);
+                set(rate_, model.damping_on_mass(kind.mass[i]) / m);
+                array(n, drag_rate_)[i] = static_cast<Real>(model.damping_on_mass(kind.mass[i], true) / m);
+            }
+        }
+    }
+
+private:
+    enum { fly_ = 0, hoist_ = 3, diagonal_ = 6, inverse_mass_ = 9, mass_, rate_, drag_rate_, arrays_a_kind };
+
+    std::ptrdiff_t place(int kind, int which) const {
+        return (static_cast<std::ptrdiff_t>(kind) * arrays_a_kind + which) * width_;
+    }
+    Real* array(int kind, int which) { return arrays_.data() + place(kind, which); }
+    const Real* array(int kind, int which) const { return arrays_.data() + place(kind, which); }
+
+    void set_spring(int kind, int which, int i, double share, double k, double length, double c) {
+        array(kind, which)[i] = static_cast<Real>(share * k);
+        array(kind, which + 1)[i] = static_cast<Real>(share * k * length);
+        array(kind, which + 2)[i] = static_cast<Real>(share * c);
+    }
+
+    RowConstants<Real> constants_of(const Model& model, int kind) const {
+        const auto springs = [&](int which, double length) {
+            return SpringRow<Real>{array(kind, which), array(kind, which + 1), array(kind, which + 2),
+                                   static_cast<Real>(length)};
+        };
+        const Grid& grid = model.grid;
+        return {springs(fly_, grid.pitch_x),  springs(hoist_, grid.pitch_y), springs(diagonal_, grid.pitch_diagonal()),
+                array(kind, inverse_mass_), array(kind, mass_),            array(kind, rate_)};
+    }
+
+    int width_;
+    Array<Real> arrays_;
+    std::vector<RowConstants<Real>> constants_;
+};
+
+}  // namespace DRAPEAU_ISA
 }  // namespace drapeau

@@ -1,44 +1,131 @@
-// Spring: the pull of one spring on the mass it starts at; the mass it ends at feels the opposite.
+// Spring: what one spring does to the mass it starts at; the mass it ends at feels the opposite.
 //
 //   f = [k (l - L) + c (v_j - v_i) . e] e        d = x_j - x_i, l = |d|, e = d / l     (report, eqs. 5 and 6)
 //
 // Damping acts on the relative velocity along the spring: the only form whose reaction is opposite and that leaves a
 // rotating flag alone.
+//
+// These are the operations of the sweep: an operation says what it reads at either end (Row, End), what it makes of a
+// spring (Value) and how many rows away it looks (reach).
 #pragma once
 
-#include "drapeau/lanes.hpp"
+#include "drapeau/field.hpp"
+#include "drapeau/isa.hpp"
 
 namespace drapeau {
-
-/// Springs that run alike from every mass of a row, as row-long arrays: element i is the spring that starts at column
-/// i. All three are zero where there is none (past the last column).
-template <class Real>
-struct SpringRow {
-    const Real* k;         // N/m
-    const Real* k_length;  // k L, N: the stiffness times the rest length
-    const Real* c;         // N s/m; not read without damping
-};
+inline namespace DRAPEAU_ISA {
 
 /// A spring this short (m) has no direction: its force fades to zero there instead of becoming NaN.
 inline constexpr double shortest_length = 1e-15;
 
-/// The pair operation of the sweep. With r = 1/l the force is  f = [k + r (c r (dv . d) - k L)] d.
-template <bool damped>
+/// 1/l from d, and the force over d without damping: with r = 1/l it is k - r k L.
+template <class V>
+DRAPEAU_INLINE V inverse_length(const Triple<V>& d) {
+    constexpr auto floor = static_cast<typename Lanes<V>::Real>(shortest_length * shortest_length);
+    return inverse_sqrt<V>(d.x * d.x + (d.y * d.y + (d.z * d.z + floor)));
+}
+
+/// What a row of masses shows to its springs.
+template <class Real>
+struct SeenRow {
+    Field<const Real> position, velocity;
+};
+
+/// One end of a spring. Without damping no velocity is read.
+template <class V, bool damped>
+struct SpringEnd {
+    Triple<V> x, v;
+    DRAPEAU_INLINE static SpringEnd load(const SeenRow<typename Lanes<V>::Real>& row, int i) {
+        return {row.position.template at<V>(i), row.velocity.template at<V>(i)};
+    }
+};
+template <class V>
+struct SpringEnd<V, false> {
+    Triple<V> x;
+    DRAPEAU_INLINE static SpringEnd load(const SeenRow<typename Lanes<V>::Real>& row, int i) {
+        return {row.position.template at<V>(i)};
+    }
+};
+
+/// The force, as one sum: f = [k + r (c r (dv . d) - k L)] d.
+template <class V, bool damped>
 struct SpringForce {
-    static constexpr bool uses_velocity = damped;
+    using Real = typename Lanes<V>::Real;
+    using Row = SeenRow<Real>;
+    using End = SpringEnd<V, damped>;
+    using Value = Triple<V>;
+    static constexpr int reach = 1;
 
-    template <class V, class RelativeVelocity>
-    DRAPEAU_INLINE static Triple<V> pull(const SpringRow<typename Lanes<V>::Real>& spring, int i, const Triple<V>& d,
-                                         [[maybe_unused]] const RelativeVelocity& dv) {
+    DRAPEAU_INLINE Value pull(const SpringRow<Real>& spring, int i, const End& a, const End& b) {
         using L = Lanes<V>;
-        constexpr auto floor = static_cast<typename L::Real>(shortest_length * shortest_length);
-
-        const V r = inverse_sqrt<V>(d.x * d.x + (d.y * d.y + (d.z * d.z + floor)));
+        const auto d = b.x - a.x;
+        const V r = inverse_length(d);
         V tension_over_r = L::broadcast(0);
-        if constexpr (damped) tension_over_r = (L::load(spring.c + i) * r) * dot(dv, d);
+        if constexpr (damped) tension_over_r = (L::load(spring.c + i) * r) * dot(b.v - a.v, d);
         tension_over_r = tension_over_r - L::load(spring.k_length + i);
         return (L::load(spring.k + i) + r * tension_over_r) * d;
     }
 };
 
+/// A force in its two parts, so that the work of each can be told.
+template <class V>
+struct Parts {
+    Triple<V> elastic, damping;
+};
+template <class V>
+DRAPEAU_INLINE Parts<V> operator+(const Parts<V>& a, const Parts<V>& b) {
+    return {a.elastic + b.elastic, a.damping + b.damping};
+}
+template <class V>
+DRAPEAU_INLINE Parts<V> operator-(const Parts<V>& a, const Parts<V>& b) {
+    return {a.elastic - b.elastic, a.damping - b.damping};
+}
+template <class V>
+DRAPEAU_INLINE Parts<V> shifted(const Parts<V>& left, const Parts<V>& here) {
+    return {shifted(left.elastic, here.elastic), shifted(left.damping, here.damping)};
+}
+
+/// The force in parts.
+template <class V, bool damped>
+struct SpringForceParts : SpringForce<V, damped> {
+    using typename SpringForce<V, damped>::Real;
+    using typename SpringForce<V, damped>::End;
+    using Value = Parts<V>;
+
+    DRAPEAU_INLINE Value pull(const SpringRow<Real>& spring, int i, const End& a, const End& b) {
+        using L = Lanes<V>;
+        const auto d = b.x - a.x;
+        const V r = inverse_length(d);
+        Value f{(L::load(spring.k + i) - r * L::load(spring.k_length + i)) * d, {}};
+        if constexpr (damped) f.damping = (r * ((L::load(spring.c + i) * r) * dot(b.v - a.v, d))) * d;
+        return f;
+    }
+};
+
+/// The force in parts, and what a row of springs holds, summed in lanes.
+template <class V, bool damped>
+struct SpringGauge : SpringForceParts<V, damped> {
+    using typename SpringForceParts<V, damped>::Real;
+    using typename SpringForceParts<V, damped>::End;
+    using typename SpringForceParts<V, damped>::Value;
+    V elastic{}, stretch{}, max_stretch = Lanes<V>::broadcast(-1), max_force{}, force_squares{};
+
+    DRAPEAU_INLINE Value pull(const SpringRow<Real>& spring, int i, const End& a, const End& b) {
+        using L = Lanes<V>;
+        const auto d = b.x - a.x;
+        const V square = dot(d, d) + static_cast<Real>(shortest_length * shortest_length);
+        const V k = L::load(spring.k + i);
+        const V longer = L::where_positive(k, square * inverse_sqrt<V>(square) - spring.length);
+        const V size = L::greater(longer, V{} - longer), inverse = L::broadcast(Real(1) / spring.length);
+        elastic = elastic + (Real(0.5) * k) * (longer * longer);
+        stretch = stretch + size * inverse;
+        max_force = L::greater(max_force, k * size);
+        force_squares = force_squares + (k * size) * (k * size);
+        // Where there is no spring the share is that of the shortest one, -1.
+        max_stretch = L::greater(max_stretch, L::where_positive(k, longer * inverse + Real(1)) - Real(1));
+        return SpringForceParts<V, damped>::pull(spring, i, a, b);
+    }
+};
+
+}  // namespace DRAPEAU_ISA
 }  // namespace drapeau

@@ -1,9 +1,12 @@
-// Cloth: what evolves. One array per component (x y z vx vy vz), rows padded to whole registers.
+// State: position and velocity of every mass of a grid, owned. The same type serves runs, checkpoints, files, starts and
+// what one method or grid hands to the next.
 //
-// Mass (column i, row j) is element j * stride + i. Padding stays at zero: it has no mass and no spring.
+// Rows are padded to whole registers, with one more register of zeros behind. Padding stays at zero: it has no mass and
+// no spring.
 #pragma once
 
-#include "drapeau/lanes.hpp"
+#include "drapeau/field.hpp"
+#include "drapeau/isa.hpp"
 
 #include <glm/vec3.hpp>
 
@@ -14,6 +17,7 @@
 #include <new>
 
 namespace drapeau {
+inline namespace DRAPEAU_ISA {
 
 /// The grid at rest: column i, row j at (i * pitch_x, -j * pitch_y, 0), in metres.
 struct Grid {
@@ -25,6 +29,7 @@ struct Grid {
     long long masses() const { return static_cast<long long>(columns) * rows; }
     glm::dvec3 rest(int i, int j) const { return {i * pitch_x, -j * pitch_y, 0.0}; }
     double pitch_diagonal() const { return std::hypot(pitch_x, pitch_y); }
+    bool operator==(const Grid&) const = default;
 };
 
 /// The grid that spreads `columns` x `rows` masses over width x height (m); a chain ignores the size across.
@@ -32,18 +37,27 @@ inline Grid spread(int columns, int rows, double width, double height) {
     return {columns, rows, columns > 1 ? width / (columns - 1) : width, rows > 1 ? height / (rows - 1) : height};
 }
 
-/// `count` Reals, all zero, aligned for registers, with one register of readable zeros on either side.
+/// `count` Reals, all zero at first, aligned for registers, with one register of readable zeros on either side.
 template <class Real>
 class Array {
 public:
     Array() = default;
     explicit Array(std::size_t count, std::size_t shift_bytes = 0)
         : bytes_(static_cast<std::byte*>(
-              ::operator new(count * sizeof(Real) + 2 * row_alignment + shift_bytes, std::align_val_t(row_alignment)))),
+              ::operator new(bytes_for(count, shift_bytes), std::align_val_t(row_alignment)))),
           first_(reinterpret_cast<Real*>(bytes_.get() + row_alignment + shift_bytes)),
-          count_(count) {
-        std::fill_n(bytes_.get(), count * sizeof(Real) + 2 * row_alignment + shift_bytes, std::byte{0});
+          count_(count),
+          shift_(shift_bytes) {
+        std::fill_n(bytes_.get(), bytes_for(count, shift_bytes), std::byte{0});
     }
+    Array(const Array& other) : Array(other.count_, other.shift_) { *this = other; }
+    Array(Array&&) noexcept = default;
+    Array& operator=(const Array& other) {
+        if (count_ != other.count_) return *this = Array(other);
+        std::copy_n(other.first_, count_, first_);
+        return *this;
+    }
+    Array& operator=(Array&&) noexcept = default;
 
     Real* data() { return first_; }
     const Real* data() const { return first_; }
@@ -59,45 +73,13 @@ private:
     struct Free {
         void operator()(std::byte* bytes) const { ::operator delete(bytes, std::align_val_t(row_alignment)); }
     };
+    static std::size_t bytes_for(std::size_t count, std::size_t shift) {
+        return count * sizeof(Real) + 2 * row_alignment + shift;
+    }
+
     std::unique_ptr<std::byte, Free> bytes_;
     Real* first_ = nullptr;
-    std::size_t count_ = 0;
-};
-
-/// One row of a cloth: pointers to its first mass, component by component.
-template <class Real>
-struct Row {
-    Real *x, *y, *z, *vx, *vy, *vz;
-
-    template <class V>
-    DRAPEAU_INLINE Triple<V> position(int i) const {
-        return {Lanes<V>::load(x + i), Lanes<V>::load(y + i), Lanes<V>::load(z + i)};
-    }
-    template <class V>
-    DRAPEAU_INLINE Triple<V> velocity(int i) const {
-        return {Lanes<V>::load(vx + i), Lanes<V>::load(vy + i), Lanes<V>::load(vz + i)};
-    }
-    template <class V>
-    DRAPEAU_INLINE void set_position(int i, const Triple<V>& p) const {
-        Lanes<V>::store(x + i, p.x), Lanes<V>::store(y + i, p.y), Lanes<V>::store(z + i, p.z);
-    }
-    template <class V>
-    DRAPEAU_INLINE void set_velocity(int i, const Triple<V>& v) const {
-        Lanes<V>::store(vx + i, v.x), Lanes<V>::store(vy + i, v.y), Lanes<V>::store(vz + i, v.z);
-    }
-};
-
-/// The rows of a cloth, without owning them: what kernels are given.
-template <class Real>
-struct Rows {
-    Row<Real> first;
-    std::ptrdiff_t stride;
-    int rows;
-
-    DRAPEAU_INLINE Row<Real> operator[](std::ptrdiff_t j) const {
-        const std::ptrdiff_t n = j * stride;
-        return {first.x + n, first.y + n, first.z + n, first.vx + n, first.vy + n, first.vz + n};
-    }
+    std::size_t count_ = 0, shift_ = 0;
 };
 
 /// The widest register's number of Reals.
@@ -110,55 +92,78 @@ constexpr int padded(int columns) {
     return (columns + widest<Real> - 1) / widest<Real> * widest<Real>;
 }
 
+/// Elements from one row to the next: a register more than padded, always zero, so that looking one column past the end
+/// never meets another row.
 template <class Real>
-class Cloth {
+constexpr int stride_of(int columns) {
+    return padded<Real>(columns) + widest<Real>;
+}
+
+/// A field that owns its memory: rows x stride elements a component.
+template <class Real>
+class FieldBuffer {
 public:
-    explicit Cloth(const Grid& grid) : grid_(grid), stride_(padded<Real>(grid.columns) + widest<Real>) {
-        for (int c = 0; c < 6; ++c) component_[c] = Array<Real>(count(), c * component_shift_bytes);
+    FieldBuffer() = default;
+    /// `number` sets fields of one cloth apart (see component_shift_bytes).
+    FieldBuffer(int columns, int rows, int number = 0) : columns_(columns), rows_(rows) {
+        for (int c = 0; c < 3; ++c)
+            component_[c] = Array<Real>(static_cast<std::size_t>(stride()) * rows,
+                                        (3 * number + c) % 16 * component_shift_bytes);
     }
 
-    const Grid& grid() const { return grid_; }
-    /// Elements a loop over a row covers, and elements from one row to the next: a register more, always zero, so that
-    /// looking one column past the end never meets another row.
-    int width() const { return stride_ - widest<Real>; }
-    int stride() const { return stride_; }
-    std::size_t count() const { return static_cast<std::size_t>(stride_) * grid_.rows; }
-
-    /// x y z vx vy vz, rows * stride elements each.
+    int columns() const { return columns_; }
+    int rows() const { return rows_; }
+    int stride() const { return columns_ == 0 ? 0 : stride_of<Real>(columns_); }
     Array<Real>& component(int c) { return component_[c]; }
     const Array<Real>& component(int c) const { return component_[c]; }
 
-    Rows<Real> view() {
-        auto& c = component_;
-        return {{c[0].data(), c[1].data(), c[2].data(), c[3].data(), c[4].data(), c[5].data()}, stride_, grid_.rows};
+    Field<Real> view() {
+        return {component_[0].data(), component_[1].data(), component_[2].data(), stride()};
+    }
+    Field<const Real> view() const {
+        return {component_[0].data(), component_[1].data(), component_[2].data(), stride()};
     }
 
-    /// The same for reading only; the pointers are not const because rows are one type.
-    Rows<Real> view() const { return const_cast<Cloth*>(this)->view(); }
+    glm::dvec3 at(int i, int j) const {
+        const auto n = static_cast<std::size_t>(j) * stride() + i;
+        return {component_[0][n], component_[1][n], component_[2][n]};
+    }
+    void set(int i, int j, const glm::dvec3& value) {
+        const auto n = static_cast<std::size_t>(j) * stride() + i;
+        for (int c = 0; c < 3; ++c) component_[c][n] = static_cast<Real>(value[c]);
+    }
 
-    glm::dvec3 position(int i, int j) const { return triple(0, i, j); }
-    glm::dvec3 velocity(int i, int j) const { return triple(3, i, j); }
-    void set_position(int i, int j, const glm::dvec3& p) { set_triple(0, i, j, p); }
-    void set_velocity(int i, int j, const glm::dvec3& v) { set_triple(3, i, j, v); }
+    /// Takes over every mass of a field of the same columns and rows, in whatever precision.
+    template <class Other>
+    void take(const FieldBuffer<Other>& other) {
+        for (int c = 0; c < 3; ++c)
+            for (int j = 0; j < rows_; ++j)
+                std::transform(other.component(c).begin() + static_cast<std::ptrdiff_t>(j) * other.stride(),
+                               other.component(c).begin() + static_cast<std::ptrdiff_t>(j) * other.stride() + columns_,
+                               component_[c].begin() + static_cast<std::ptrdiff_t>(j) * stride(),
+                               [](Other value) { return static_cast<Real>(value); });
+    }
 
 private:
     // Components of a power-of-two grid would all start at the same place of the first-level cache and evict one
     // another; each starts a few cache lines further on than the one before.
     static constexpr std::size_t component_shift_bytes = 11 * row_alignment;
 
-    std::size_t index(int i, int j) const { return static_cast<std::size_t>(j) * stride_ + i; }
-    glm::dvec3 triple(int c, int i, int j) const {
-        const auto n = index(i, j);
-        return {component_[c][n], component_[c + 1][n], component_[c + 2][n]};
-    }
-    void set_triple(int c, int i, int j, const glm::dvec3& p) {
-        const auto n = index(i, j);
-        for (int k = 0; k < 3; ++k) component_[c + k][n] = static_cast<Real>(p[k]);
-    }
-
-    Grid grid_;
-    int stride_;
-    Array<Real> component_[6];
+    int columns_ = 0, rows_ = 0;
+    Array<Real> component_[3];
 };
 
+/// Position (m) and velocity (m/s) of every mass, both at the same time.
+template <class Real>
+struct State {
+    FieldBuffer<Real> position, velocity;
+
+    State() = default;
+    State(int columns, int rows) : position(columns, rows, 0), velocity(columns, rows, 1) {}
+
+    int columns() const { return position.columns(); }
+    int rows() const { return position.rows(); }
+};
+
+}  // namespace DRAPEAU_ISA
 }  // namespace drapeau

@@ -1,14 +1,8 @@
-// Team: threads that advance one cloth by blocks of rows, with the same bits for any number of them.
-//
-// Between two blocks lies a seam. Each side keeps a copy of its row at the seam as it was before the step; the springs
-// across are evaluated by both sides, from the same numbers in the same order, so nothing is exchanged within a step
-// and one barrier a step is enough: copies for step n+1 are written while those of step n are read.
+// Team: threads that run one region of work together: its members meet at a barrier within it and sleep between.
 #pragma once
 
-#include "drapeau/state.hpp"
-#include "drapeau/sweep.hpp"
+#include "drapeau/isa.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <functional>
@@ -17,6 +11,7 @@
 #include <vector>
 
 namespace drapeau {
+inline namespace DRAPEAU_ISA {
 
 /// A barrier for threads that arrive within microseconds of each other: spins, and gives its core away if that lasts.
 class SpinBarrier {
@@ -48,115 +43,76 @@ private:
     alignas(64) std::atomic<int> turn_{0};
 };
 
-/// Workers that sleep until there is a job and then all do it; the calling thread is one of them, number 0.
-class Workers {
+/// Members that sleep until there is a region to run and then all run it; the calling thread is member 0.
+class Team {
 public:
-    explicit Workers(int threads) {
-        for (int n = 1; n < threads; ++n) threads_.emplace_back([this, n] { serve(n); });
+    /// Throws std::system_error where the system gives no more threads; those it gave are ended first.
+    explicit Team(int members) : barrier_(members) {
+        try {
+            for (int n = 1; n < members; ++n) threads_.emplace_back([this, n] { serve(n); });
+        } catch (...) {
+            end();
+            throw;
+        }
     }
-    Workers(const Workers&) = delete;
-    ~Workers() {
+    Team(const Team&) = delete;
+    Team& operator=(const Team&) = delete;
+    ~Team() { end(); }
+
+    int members() const { return static_cast<int>(threads_.size()) + 1; }
+    /// Within a region: returns when every member has come here.
+    void meet() { barrier_.wait(); }
+
+    /// Runs region(n) on every member n and returns when all are done.
+    void run(const std::function<void(int)>& region) {
+        {
+            const std::lock_guard lock(mutex_);
+            region_ = &region;
+            busy_ = static_cast<int>(threads_.size());
+            ++regions_;
+        }
+        wake_.notify_all();
+        region(0);
+        std::unique_lock lock(mutex_);
+        done_.wait(lock, [this] { return busy_ == 0; });
+    }
+
+private:
+    void end() {
         {
             const std::lock_guard lock(mutex_);
             stop_ = true;
         }
         wake_.notify_all();
         for (auto& thread : threads_) thread.join();
+        threads_.clear();
     }
 
-    int count() const { return static_cast<int>(threads_.size()) + 1; }
-
-    /// Runs job(n) on every worker n and returns when all are done.
-    void run(const std::function<void(int)>& job) {
-        {
-            const std::lock_guard lock(mutex_);
-            job_ = &job;
-            busy_ = static_cast<int>(threads_.size());
-            ++jobs_;
-        }
-        wake_.notify_all();
-        job(0);
-        std::unique_lock lock(mutex_);
-        done_.wait(lock, [this] { return busy_ == 0; });
-    }
-
-private:
     void serve(int n) {
         for (long long seen = 0;;) {
-            const std::function<void(int)>* job;
+            const std::function<void(int)>* region;
             {
                 std::unique_lock lock(mutex_);
-                wake_.wait(lock, [&] { return stop_ || jobs_ != seen; });
+                wake_.wait(lock, [&] { return stop_ || regions_ != seen; });
                 if (stop_) return;
-                seen = jobs_;
-                job = job_;
+                seen = regions_;
+                region = region_;
             }
-            (*job)(n);
+            (*region)(n);
             const std::lock_guard lock(mutex_);
             if (--busy_ == 0) done_.notify_one();
         }
     }
 
+    SpinBarrier barrier_;
     std::vector<std::thread> threads_;
     std::mutex mutex_;
     std::condition_variable wake_, done_;
-    const std::function<void(int)>* job_ = nullptr;
-    long long jobs_ = 0;
+    const std::function<void(int)>* region_ = nullptr;
+    long long regions_ = 0;
     int busy_ = 0;
     bool stop_ = false;
 };
 
-template <class Real>
-class Team {
-public:
-    /// `threads` blocks of a cloth of this shape; fewer if there are not two rows for each.
-    Team(int threads, const Cloth<Real>& cloth)
-        : workers_(std::clamp(cloth.grid().rows / 2, 1, threads)), barrier_(workers_.count()) {
-        const Grid seam_grid{cloth.grid().columns, 2, 1.0, 1.0};
-        for (int n = 0; n <= workers_.count(); ++n) {
-            starts_.push_back(static_cast<int>(static_cast<long long>(cloth.grid().rows) * n / workers_.count()));
-            for (auto& side : seams_) side.emplace_back(seam_grid);
-            buffers_.emplace_back(cloth.width());
-        }
-    }
-
-    int threads() const { return workers_.count(); }
-
-    /// Advances `steps` steps. move(first, last, above, below, step, buffers) advances rows first <= j < last by one
-    /// step, given copies of the rows beyond its block as they were before it (null at the cloth's border), which it
-    /// may overwrite.
-    template <class Move>
-    void advance(const Rows<Real>& rows, int steps, const Move& move) {
-        for (int n = 0; n < threads(); ++n) copy_out(rows, n, seams_[0]);
-        workers_.run([&](int n) {
-            for (int step = 0; step < steps; ++step) {
-                auto& now = seams_[step % 2];
-                const auto above = now[n].view()[0], below = now[n + 1].view()[1];
-                move(starts_[n], starts_[n + 1], n > 0 ? &above : nullptr, n + 1 < threads() ? &below : nullptr, step,
-                     buffers_[n]);
-                copy_out(rows, n, seams_[1 - step % 2]);
-                barrier_.wait();
-            }
-        });
-    }
-
-private:
-    /// Seam n lies above block n: its row 0 is a copy of the last row above it, its row 1 of the first row below it.
-    void copy_out(const Rows<Real>& rows, int block, std::vector<Cloth<Real>>& seams) {
-        copy(rows[starts_[block]], seams[block].view()[1], seams[block].width());
-        copy(rows[starts_[block + 1] - 1], seams[block + 1].view()[0], seams[block].width());
-    }
-    static void copy(const Row<Real>& from, const Row<Real>& to, int width) {
-        const Real* const source[] = {from.x, from.y, from.z, from.vx, from.vy, from.vz};
-        Real* const target[] = {to.x, to.y, to.z, to.vx, to.vy, to.vz};
-        for (int c = 0; c < 6; ++c) std::copy_n(source[c], width, target[c]);
-    }
-
-    Workers workers_;
-    SpinBarrier barrier_;
-    std::vector<int> starts_;
-    std::vector<Cloth<Real>> seams_[2];
-    std::vector<SweepBuffers<Real>> buffers_;
-};
-
+}  // namespace DRAPEAU_ISA
 }  // namespace drapeau

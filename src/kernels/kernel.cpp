@@ -1,31 +1,33 @@
-// One precision and one method, for one instruction set: compiled several times, with
-// DRAPEAU_REAL, DRAPEAU_METHOD and DRAPEAU_KERNEL_SYMBOL given by the build.
+// One precision for one instruction set: compiled several times, with DRAPEAU_REAL and DRAPEAU_KERNEL_SYMBOL given by
+// the build. The table is a constant: nothing here runs before its instruction set is known to be there.
 #include "kernels/kernels.hpp"
 
-#include "drapeau/methods/forward_euler.hpp"
-#include "drapeau/methods/semi_implicit_euler.hpp"
+#include "drapeau/advance.hpp"
 
 namespace drapeau {
 namespace {
 
 using Real = DRAPEAU_REAL;
 
-// Types of this file alone make the kernels its own: were they shared, the linker would keep one of several
-// instruction sets' versions whose registers are equally wide, and call it for all.
-struct Move : DRAPEAU_METHOD {};
-template <bool damped>
-struct Force : SpringForce<damped> {};
+template <class M>
+constexpr void fill(Kernels<Real> (&of)[2][2]) {
+    of[0][0] = kernels_of<Vector<Real>, M, false, false, true>();
+    of[0][1] = kernels_of<Vector<Real>, M, true, false, true>();
+    of[1][0] = kernels_of<Vector<Real>, M, false, true, true>();
+    of[1][1] = kernels_of<Vector<Real>, M, true, true, true>();
+}
 
-template <bool diagonals, bool damped>
-constexpr Kernel<Real> kernel{
-    &advance_rows<Vector<Real>, Force<damped>, diagonals, Move, Ambient<Real>, Real>,
-    &spring_forces<Vector<Real>, Force<damped>, diagonals, Real>,
-};
+constexpr KernelTable<Real> compile_all() {
+    KernelTable<Real> table{};
+    [&]<std::size_t... n>(std::index_sequence<n...>) {
+        (fill<std::tuple_element_t<n, Methods>>(table.of[n]), ...);
+    }(std::make_index_sequence<method_count>());
+    return table;
+}
 
 }  // namespace
 
-extern const KernelSet<Real> DRAPEAU_KERNEL_SYMBOL;
-const KernelSet<Real> DRAPEAU_KERNEL_SYMBOL{
-    {{kernel<false, false>, kernel<false, true>}, {kernel<true, false>, kernel<true, true>}}};
+extern const KernelTable<Real> DRAPEAU_KERNEL_SYMBOL;
+constinit const KernelTable<Real> DRAPEAU_KERNEL_SYMBOL = compile_all();
 
 }  // namespace drapeau

@@ -1,42 +1,31 @@
-// Kernels: the compositions the programs can choose at run time, compiled ahead for each precision, method and
-// instruction set. Gravity, drag, friction and wind fold to one vector and one rate, so only what costs per spring
-// is a choice here: diagonals and spring damping.
+// Kernels: the compositions the programs can choose at run time, compiled ahead for each precision and instruction set.
+// Terms that push or brake masses come as rows of numbers, so only what costs per spring is a choice here: the method,
+// diagonals and spring damping.
 #pragma once
 
-#include "drapeau/advance.hpp"
-#include "drapeau/forces.hpp"
+#include "drapeau/field.hpp"
+#include "drapeau/methods/list.hpp"
 
 #include <string>
 #include <vector>
 
 namespace drapeau {
 
+/// The kernels of one precision and instruction set: [method][diagonals][damped].
 template <class Real>
-using Ambient = Uniform<Real, true, true>;
-
-/// One composition: see advance.hpp for the meaning of each.
-template <class Real>
-struct Kernel {
-    void (*advance_rows)(const Rows<Real>&, int first, int last, const Row<Real>* above, const Row<Real>* below,
-                         const FabricView<Real>&, const Ambient<Real>&, Real dt, SweepBuffers<Real>&);
-    void (*spring_forces)(const Rows<Real>&, const FabricView<Real>&, const ForceRow<Real>&, SweepBuffers<Real>&);
+struct KernelTable {
+    Kernels<Real> of[method_count][2][2];
 };
 
-/// The kernels of one method: [diagonals][damped].
-template <class Real>
-struct KernelSet {
-    Kernel<Real> of[2][2];
-};
-
-/// The kernel for a composition, of the best instruction set this machine has. The environment variable
+/// The kernels for a composition, of the best instruction set this machine has. The environment variable
 /// DRAPEAU_TARGET names another of kernel_targets(); throws InputError if it is not there or cannot run here.
 template <class Real>
-const Kernel<Real>& find_kernel(Method method, bool diagonals, bool damped);
+const Kernels<Real>& find_kernels(Method method, bool diagonals, bool damped);
 
 /// The instruction sets compiled in that this machine can run, the best last.
 std::vector<std::string> kernel_targets();
 
-/// The one in use.
+/// The one in use. Throws InputError where none of them can run on this machine.
 std::string kernel_target();
 
 }  // namespace drapeau

@@ -58,7 +58,7 @@ int main(int count, char** arguments) {
     run_command->footer(std::string(run_notes) + "\n\n" + exit_notes);
     run_command->add_option("SCENE", options.scene, "A scene file, or the name of a shipped scene")->required();
     run_command->add_option("--seconds", options.seconds, "Time to simulate, s")->required()->type_name("T");
-    run_command->add_option("--method", options.method, "forward-euler or semi-implicit-euler")->type_name("M");
+    run_command->add_option("--method", options.method, method_choices())->type_name("M");
     run_command->add_option("--dt", options.dt, "Step, s, or auto")->type_name("S");
     run_command->add_option("--precision", options.precision, "float or double")->type_name("P");
     run_command
@@ -67,6 +67,7 @@ int main(int count, char** arguments) {
     run_command->add_option("--state", options.state, "Write the state of every mass")->type_name("FILE.csv");
     run_command->add_option("--json", options.json, "Write the results as one JSON object")->type_name("FILE");
     run_command->add_option("--csv", options.csv, "Write the results as a header and a row")->type_name("FILE");
+    run_command->add_flag("--force", options.force, "Run it however long it is estimated to take");
     auto* scenes_command = app.add_subcommand("scenes", "List the shipped scenes");
 
     try {

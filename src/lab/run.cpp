@@ -4,7 +4,8 @@
 #include "progress.hpp"
 #include "results.hpp"
 #include "scene_file.hpp"
-#include "simulation.hpp"
+#include "run/divergence.hpp"
+#include "run/simulation.hpp"
 #include "text.hpp"
 #include "text_file.hpp"
 
@@ -88,7 +89,22 @@ Plan plan_for(const Scene& scene, double seconds, const std::string& given_secon
     if (const auto batches = whole_count(seconds, batch_seconds)) return {*batches, 0, {}};
     // Equal steps, none longer than the automatic one.
     const double steps = std::ceil(seconds / Simulation(scene).dt());
-    return {0, static_cast<long long>(steps), seconds / steps};
+    return {0, std::llround(std::min(steps, 9e18)), seconds / steps};
+}
+
+/// Refuses what would take longer than anybody waits, before it begins.
+void check_duration(const Scene& scene, const Simulation& simulation, double seconds) {
+    constexpr double longest = 24.0 * 3600.0;       // s
+    constexpr double mass_steps_a_second = 1.5e8;   // of one core; small flags are slower by the mass
+    constexpr double steps_a_second = 2e6;
+    const double steps = seconds / simulation.dt();
+    const int passes = with_method(scene.time.method, [](const auto& m) { return std::decay_t<decltype(m)>::passes; });
+    const double masses = static_cast<double>(simulation.model().grid.masses());
+    const double estimate = steps * passes * std::max(masses / mass_steps_a_second, 1.0 / steps_a_second);
+    if (estimate <= longest) return;
+    throw InputError("--seconds = " + shortest(seconds) + ": about " + rounded(estimate / 3600.0, 2) + " h for " +
+                     rounded(steps, 3) + " steps of " + in_words(simulation.dt()) + " and " + rounded(masses, 3) +
+                     " masses, more than " + rounded(longest / 3600.0, 2) + " h; --force runs it");
 }
 
 struct Cost {
@@ -105,12 +121,15 @@ std::optional<Divergence> carry_out(const Plan& plan, Simulation& simulation, Co
         divergence = simulation.advance_batch();
         progress.show(static_cast<double>(batch + 1) / static_cast<double>(plan.batches));
     }
-    // About a batch at a time, so that the bar moves and divergence is noticed.
-    const auto at_once = std::max(1LL, std::llround(std::min(1e9, batch_seconds / simulation.dt())));
+    // A bit at a time, so that the bar moves.
+    const double masses = static_cast<double>(simulation.model().grid.masses());
+    const auto at_once =
+        std::max(1LL, std::llround(std::min(std::max(1e7 / masses, 1.0), batch_seconds / simulation.dt())));
     for (long long done = 0; done < plan.steps && !divergence; done += at_once) {
         divergence = simulation.advance_steps(std::min(at_once, plan.steps - done));
         progress.show(std::min(1.0, static_cast<double>(done + at_once) / static_cast<double>(plan.steps)));
     }
+    if (!divergence) divergence = simulation.check();
     cost.processor = processor_seconds() - processor_start;
     cost.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
     return divergence;
@@ -126,16 +145,15 @@ std::string state_number(double value, Precision precision) {
 void write_state(const std::string& file, const Simulation& simulation) {
     const FlagSettings& flag = simulation.scene().flag;
     const Precision precision = simulation.scene().time.precision;
-    const std::vector<double> state = simulation.state();
+    const State<double> state = simulation.state();
     write_text_file(file, [&](const Append& append) {
         append("column,row,x,y,z,vx,vy,vz\n");
-        std::size_t next = 0;
         for (int row = 0; row < flag.rows; ++row) {
             for (int column = 0; column < flag.columns; ++column) {
                 std::string line = std::to_string(column) + "," + std::to_string(row);
-                for (int component = 0; component < 6; ++component) {
-                    line.append(1, ',').append(state_number(state[next++], precision));
-                }
+                for (const auto& value : {state.position.at(column, row), state.velocity.at(column, row)})
+                    for (int axis = 0; axis < 3; ++axis)
+                        line.append(1, ',').append(state_number(value[axis], precision));
                 append(line + "\n");
             }
         }
@@ -158,12 +176,14 @@ std::vector<Result> results_of(const Simulation& simulation, int threads, const 
     const FlagSettings& flag = scene.flag;
     const Readings readings = simulation.readings();
     const double time = simulation.time();
-    const double limit = simulation.stability_limit();
+    const StableStep limit = simulation.stability_limit();
     const double milliseconds = 1e3 * cost.processor / time;
     const double real_time = time / cost.wall;
-    const std::string of_limit = limit > 0.0 ? rounded(100.0 * simulation.dt() / limit, 3) +
-                                                   " % of the stability limit, " + with_unit(limit, "s")
-                                             : "no step is known to be stable";
+    const std::string of_limit =
+        limit.is_none()        ? "no step is known to be stable"
+        : limit.is_unlimited() ? "every step is stable"
+                               : rounded(100.0 * simulation.dt() / limit.seconds(), 3) +
+                                     " % of the stability limit, " + with_unit(limit.seconds(), "s");
     const std::string hash = in_hex(simulation.state_hash());
 
     std::vector<Result> results;
@@ -185,16 +205,25 @@ std::vector<Result> results_of(const Simulation& simulation, int threads, const 
     measure("time_s", time, "time simulated", "s");
     number("steps", static_cast<double>(simulation.steps()), "steps", std::to_string(simulation.steps()));
     number("dt_s", simulation.dt(), "step", with_unit(simulation.dt(), "s") + " (" + of_limit + ")");
-    number("stability_limit_s", limit > 0.0 ? limit : NAN, "", "");
+    number("stability_limit_s", limit.is_finite() ? limit.seconds() : NAN, "", "");
     measure("cpu_ms_per_simulated_s", milliseconds, "CPU per simulated second", "ms");
     number("real_time_factor", real_time, "real-time factor", rounded(real_time, 3));
     measure("kinetic_energy_J", readings.kinetic_energy, "kinetic energy", "J");
     measure("spring_energy_J", readings.spring_energy, "spring energy", "J");
     measure("gravity_energy_J", readings.gravity_energy, "gravity energy", "J");
-    number("greatest_stretch", readings.greatest_stretch, "greatest stretch",
-           with_unit(100.0 * readings.greatest_stretch, "%"));
+    number("greatest_stretch", readings.max_stretch, "greatest stretch",
+           with_unit(100.0 * readings.max_stretch, "%"));
     number("mean_stretch", readings.mean_stretch, "mean stretch", with_unit(100.0 * readings.mean_stretch, "%"));
-    measure("greatest_spring_force_N", readings.greatest_spring_force, "greatest spring force", "N");
+    measure("greatest_spring_force_N", readings.max_spring_force, "greatest spring force", "N");
+    number("created_energy_share", readings.created_share, "energy created by the method",
+           with_unit(100.0 * readings.created_share, "% of all there could be"));
+    if (scene.limits.get<StretchLimit>()) {
+        number("limit_sweeps", static_cast<double>(readings.limit.sweeps), "stretch limit",
+               std::to_string(readings.limit.sweeps) + " sweeps in the last batch, " +
+                   (readings.limit.met ? "met" : "not met") + ": at most " +
+                   with_unit(100.0 * readings.limit.max_stretch, "%"));
+        results.push_back({"limit_met", readings.limit.met ? "true" : "false", "", ""});
+    }
     text("state_hash", hash, "state hash");
     results.push_back({"diverged", divergence ? "true" : "false", "", ""});
     return results;
@@ -259,6 +288,7 @@ int run(const RunOptions& options) {
     planned.time.dt = plan.dt;
     Simulation simulation(planned);
     if (plan.dt) simulation.use_exact_dt();
+    if (!options.force) check_duration(scene, simulation, seconds);
     simulation.use_threads(threads);
 
     Cost cost;

@@ -19,6 +19,7 @@ struct RunOptions {
     std::string state;      // files to write; "" writes none
     std::string json;
     std::string csv;
+    bool force = false;  // whatever time it is estimated to take
 };
 
 /// The exit status: good or diverged. Throws InputError for bad input, before anything is computed or written.

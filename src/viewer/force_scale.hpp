@@ -1,7 +1,7 @@
 // ForceScale: the newtons of the reddest force colour, a round number that follows the forces without flicker.
 #pragma once
 
-#include "simulation.hpp"
+#include "run/simulation.hpp"
 
 namespace drapeau {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gl_objects.hpp"
-#include "simulation.hpp"
+#include "run/simulation.hpp"
 
 namespace drapeau {
 

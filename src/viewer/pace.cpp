@@ -1,6 +1,6 @@
 #include "pace.hpp"
 
-#include "simulation.hpp"
+#include "run/simulation.hpp"
 
 #include <algorithm>
 

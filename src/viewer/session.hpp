@@ -3,7 +3,7 @@
 
 #include "camera.hpp"
 #include "scene.hpp"
-#include "simulation.hpp"
+#include "run/simulation.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -2,7 +2,7 @@
 // and the newest moment comes out between batches, so nothing the simulation does stalls the picture.
 #pragma once
 
-#include "simulation.hpp"
+#include "run/simulation.hpp"
 
 #include <atomic>
 #include <condition_variable>

@@ -1,21 +1,40 @@
 // Forward Euler, the classic explicit method: x(t+dt) = x(t) + dt v(t), v(t+dt) = v(t) + dt a(t).
 //
 // Order 1. It acts like semi-implicit Euler with the damping of every spring lowered by k dt, so an undamped spring
-// gains energy at any step: it needs dt lambda < beta for every mode (stability.hpp).
+// gains energy at any step: for one mode with a = k dt^2/m and b = c dt/m it needs a < b and 4 - 2b + a > 0.
 #pragma once
 
-#include "drapeau/lanes.hpp"
+#include "drapeau/method.hpp"
 
 namespace drapeau {
+inline namespace DRAPEAU_ISA {
 
-struct ForwardEuler {
+struct ForwardEuler : OneKick {
+    static constexpr const char* name = "forward-euler";
     static constexpr int order = 1;
+    static constexpr bool staggered = false;
 
-    template <class V, class Real>
-    DRAPEAU_INLINE static void move(Triple<V>& x, Triple<V>& v, const Triple<V>& a, Real dt) {
-        x = x + dt * v;
-        v = v + dt * a;
+    template <int pass, bool damped, class V, class Rate, class Real>
+    DRAPEAU_INLINE static Motion<V> move(const Masses<V>& masses, const Triple<V>& a, const Rate& rate, Real dt) {
+        const auto v = masses.get(1);
+        const auto all = resisted(a, rate, v), v_next = v + dt * all;
+        masses.set(0, masses.get(0) + dt * v);
+        masses.set(1, v_next);
+        return {all, Real(0.5) * (v + v_next)};
     }
+
+    /// Wherever no spring is compressed (a compressed one lets the cloth buckle at any step). A spring that is stretched
+    /// also resists sideways, where its damper does nothing: only drag and friction hold that, so dt k < on_mass; and
+    /// dt (c + on_mass) < 2m.
+    static StableStep stable_step(const Oscillator& o) {
+        if (o.stiffness == 0.0 && o.damping + o.on_mass == 0.0) return StableStep::unlimited();
+        const double against_growth = o.stiffness > 0.0 ? o.on_mass / o.stiffness : INFINITY;
+        return StableStep::of_seconds(std::fmin(against_growth, 2.0 * o.mass / (o.damping + o.on_mass)));
+    }
+
+    /// The drag + friction (N s/m) that gives the step dt (s).
+    static double damping_needed(const Oscillator& o, double dt) { return dt * o.stiffness; }
 };
 
+}  // namespace DRAPEAU_ISA
 }  // namespace drapeau

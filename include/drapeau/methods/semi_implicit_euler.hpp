@@ -2,21 +2,33 @@
 // eq. 9 is printed without the dt that is meant).
 //
 // Order 1. Its positions are those of the Stoermer-Verlet method started half a kick off; without damping it conserves
-// a shadow energy and needs dt^2 lambda_max < 4. Damping evaluated at the old velocity makes that limit smaller.
+// a shadow energy and needs dt^2 lambda_max < 4. Damping evaluated at the old velocity makes that limit smaller: for one
+// mode with a = k dt^2/m and b = c dt/m it is a + 2b < 4.
 #pragma once
 
-#include "drapeau/lanes.hpp"
+#include "drapeau/method.hpp"
 
 namespace drapeau {
+inline namespace DRAPEAU_ISA {
 
-struct SemiImplicitEuler {
+struct SemiImplicitEuler : OneKick {
+    static constexpr const char* name = "semi-implicit-euler";
     static constexpr int order = 1;
+    static constexpr bool staggered = true;
 
-    template <class V, class Real>
-    DRAPEAU_INLINE static void move(Triple<V>& x, Triple<V>& v, const Triple<V>& a, Real dt) {
-        v = v + dt * a;
-        x = x + dt * v;
+    template <int pass, bool damped, class V, class Rate, class Real>
+    DRAPEAU_INLINE static Motion<V> move(const Masses<V>& masses, const Triple<V>& a, const Rate& rate, Real dt) {
+        const auto v = masses.get(1);
+        const auto all = resisted(a, rate, v), v_next = v + dt * all;
+        masses.set(0, masses.get(0) + dt * v_next);
+        masses.set(1, v_next);
+        return {all, Real(0.5) * (v + v_next)};
+    }
+
+    static StableStep stable_step(const Oscillator& o) {
+        return step_where(o.stiffness, 2.0 * (o.damping + o.on_mass), 4.0 * o.mass);
     }
 };
 
+}  // namespace DRAPEAU_ISA
 }  // namespace drapeau

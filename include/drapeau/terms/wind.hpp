@@ -1,16 +1,21 @@
-// Wind: a pure function of (seed, absolute time): mean + gusts on each axis.
+// Wind: d v_wind on every mass (report, eq. 4); a pure function of (seed, absolute time[, place]): mean + gusts on each
+// axis.
 //
 // A gust is smooth noise: random values at knots, joined by the quintic 6 s^5 - 15 s^4 + 10 s^3, whose first and second
 // derivatives vanish at the knots, so the wind is twice continuously differentiable and does not hurt any method's
 // order. Nothing is drawn per step: any two runs see the same wind whatever their step, method or precision.
+//
+// Travelling gusts are carried along by the mean wind U (frozen turbulence): a mass whose rest place lies s metres along
+// U feels gust(t - s / max(|U|, 1 m/s)).
 #pragma once
 
-#include <glm/vec3.hpp>
+#include "drapeau/term.hpp"
 
 #include <cmath>
 #include <cstdint>
 
 namespace drapeau {
+inline namespace DRAPEAU_ISA {
 
 /// A well-mixed 64-bit hash (the finaliser of SplitMix64, Steele et al. 2014).
 constexpr std::uint64_t mix(std::uint64_t n) {
@@ -26,37 +31,113 @@ inline double random_at(std::uint64_t seed, std::uint64_t stream, std::int64_t i
     return static_cast<double>(bits >> 11) * 0x1.0p-52 - 1.0;
 }
 
+/// How far a value has gone from one knot to the next: 6 u^5 - 15 u^4 + 10 u^3.
+inline double eased(double u) {
+    return u * u * u * (u * (6.0 * u - 15.0) + 10.0);
+}
+
+/// What brings the variance to 1. A knot's is 1/3; between knots (1-w)^2 + w^2 of it is left, on average
+/// 1 - 2 (1/2 - 181/462) = 181/231.
+inline constexpr double noise_scale = 1.9567138988027746;  // 1 / sqrt(1/3 * 181/231)
+
 /// Smooth noise of mean 0 and variance 1 at position s (in knots), twice continuously differentiable, bounded by 2.
 inline double smooth_noise(std::uint64_t seed, std::uint64_t stream, double s) {
     const double knot = std::floor(s);
-    const double u = s - knot;
-    const double w = u * u * u * (u * (6.0 * u - 15.0) + 10.0);
+    const double w = eased(s - knot);
     const auto index = static_cast<std::int64_t>(knot);
     const double value = (1.0 - w) * random_at(seed, stream, index) + w * random_at(seed, stream, index + 1);
-    // A knot's variance is 1/3; between knots (1-w)^2 + w^2 of it is left, on average 1 - 2 (1/2 - 181/462) = 181/231.
-    constexpr double scale = 1.9567138988027746;  // 1 / sqrt(1/3 * 181/231)
-    return scale * value;
+    return noise_scale * value;
 }
 
 struct Wind {
-    glm::dvec3 mean{0.0};   // m/s
-    glm::dvec3 gusts{0.0};  // m/s, rms on each axis
-    double period = 1.5;    // s, the time scale of the slow gusts; larger is slower
+    static constexpr const char* name = "wind";
+    static constexpr const char* table = "wind";
+
+    glm::dvec3 velocity{0.0};  // m/s, the mean
+    glm::dvec3 gusts{0.0};     // m/s, rms on each axis
+    double period = 1.5;       // s, the time scale of the slow gusts; larger is slower
+    bool travelling = false;   // gusts run along the flag with the mean wind; otherwise they are the same everywhere
     std::uint64_t seed = 1;
 
-    /// The wind at absolute time t (s), in m/s. Slow gusts carry 80 % of the variance, four times faster ones the rest.
-    glm::dvec3 velocity(double t) const {
-        constexpr double slow = 0.8944271909999159, fast = 0.4472135954999579;  // square roots of 0.8 and 0.2
-        glm::dvec3 w = mean;
+    /// The wind (m/s) at absolute time t (s), where gusts have not been delayed. Slow gusts carry 80 % of the variance,
+    /// four times faster ones the rest.
+    glm::dvec3 at(double t) const {
+        glm::dvec3 w = velocity;
         for (int axis = 0; axis < 3; ++axis) {
             if (gusts[axis] == 0.0) continue;
             const auto stream = static_cast<std::uint64_t>(2 * axis);
-            const double s = 2.0 * t / period;  // a slow gust rises and falls in one period
+            const double s = slow_knots(t);
             w[axis] +=
                 gusts[axis] * (slow * smooth_noise(seed, stream, s) + fast * smooth_noise(seed, stream + 1, 4.0 * s));
         }
         return w;
     }
+    /// The wind at a mass whose rest place is `rest` (m).
+    glm::dvec3 at(double t, const glm::dvec3& rest) const { return at(t - delay(rest)); }
+
+    bool varies_by_row(const Grid&) const { return travelling && velocity.y != 0.0; }
+
+    /// Felt through air drag: (d/m) w on every mass.
+    template <class Real>
+    void accelerate(const PushedRow<Real>& row, double t, const Field<Real>& a) const {
+        if (travelling) return accelerate_travelling(row, t, a);
+        const auto w = at(t);
+        const auto add = [&](Real* to, double speed) {
+            for (int i = 0; i < row.width; ++i) to[i] += row.drag_rate[i] * static_cast<Real>(speed);
+        };
+        add(a.x, w.x), add(a.y, w.y), add(a.z, w.z);
+    }
+
+    bool operator==(const Wind&) const = default;
+
+private:
+    static constexpr double slow = 0.8944271909999159, fast = 0.4472135954999579;  // square roots of 0.8 and 0.2
+
+    double slow_knots(double t) const { return 2.0 * t / period; }  // a slow gust rises and falls in one period
+    double delay(const glm::dvec3& rest) const {
+        if (!travelling) return 0.0;
+        const double speed = std::hypot(velocity.x, velocity.y, velocity.z);
+        if (speed == 0.0) return 0.0;
+        const double along = (rest.x * velocity.x + rest.y * velocity.y + rest.z * velocity.z) / speed;
+        return along / std::fmax(speed, 1.0);
+    }
+
+    /// The values of both scales' knots around one moment, kept while neighbours need the same.
+    struct Knots {
+        std::int64_t index = 0;
+        bool known = false;
+        double value[3][2];  // of each axis, before and after
+
+        void fetch(std::uint64_t seed, int scale, std::int64_t wanted) {
+            if (known && index == wanted) return;
+            index = wanted, known = true;
+            for (int axis = 0; axis < 3; ++axis)
+                for (int n = 0; n < 2; ++n)
+                    value[axis][n] =
+                        noise_scale * random_at(seed, static_cast<std::uint64_t>(2 * axis + scale), wanted + n);
+        }
+    };
+
+    template <class Real>
+    void accelerate_travelling(const PushedRow<Real>& row, double t, const Field<Real>& a) const {
+        Knots knots[2];
+        for (int i = 0; i < row.grid.columns; ++i) {
+            const double s = slow_knots(t - delay(row.grid.rest(i, row.row)));
+            double w[3] = {velocity.x, velocity.y, velocity.z};
+            for (int scale = 0; scale < 2; ++scale) {
+                const double place = scale == 0 ? s : 4.0 * s, knot = std::floor(place), share = eased(place - knot);
+                knots[scale].fetch(seed, scale, static_cast<std::int64_t>(knot));
+                for (int axis = 0; axis < 3; ++axis) {
+                    const double* value = knots[scale].value[axis];
+                    w[axis] += (scale == 0 ? slow : fast) * gusts[axis] * ((1.0 - share) * value[0] + share * value[1]);
+                }
+            }
+            a.x[i] += row.drag_rate[i] * static_cast<Real>(w[0]);
+            a.y[i] += row.drag_rate[i] * static_cast<Real>(w[1]);
+            a.z[i] += row.drag_rate[i] * static_cast<Real>(w[2]);
+        }
+    }
 };
 
+}  // namespace DRAPEAU_ISA
 }  // namespace drapeau

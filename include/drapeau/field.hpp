@@ -1,0 +1,122 @@
+// Field: one vector quantity of every mass (positions, velocities, forces), as three component arrays with a stride.
+//
+// Mass (column i, row j) is element j * stride + i. Nothing here owns memory (state.hpp does) and everything is a plain
+// aggregate: these are the types that pass between code compiled for different instruction sets (isa.hpp).
+#pragma once
+
+#include "drapeau/lanes.hpp"
+
+#include <cstddef>
+
+namespace drapeau {
+
+template <class Real>
+struct Field {
+    Real *x, *y, *z;
+    std::ptrdiff_t stride;  // elements from one row to the next
+
+    DRAPEAU_INLINE Field row(std::ptrdiff_t j) const {
+        const std::ptrdiff_t n = j * stride;
+        return {x + n, y + n, z + n, stride};
+    }
+    template <class V>
+    DRAPEAU_INLINE Triple<V> at(std::ptrdiff_t i) const {
+        return {Lanes<V>::load(x + i), Lanes<V>::load(y + i), Lanes<V>::load(z + i)};
+    }
+    template <class V>
+    DRAPEAU_INLINE void set(std::ptrdiff_t i, const Triple<V>& value) const {
+        Lanes<V>::store(x + i, value.x), Lanes<V>::store(y + i, value.y), Lanes<V>::store(z + i, value.z);
+    }
+    DRAPEAU_INLINE operator Field<const Real>() const
+    requires(!std::is_const_v<Real>) {
+        return {x, y, z, stride};
+    }
+};
+
+/// Springs that run alike from every mass of a row, as row-long arrays: element i is the spring that starts at column
+/// i. All are zero where there is none (past the last column).
+template <class Real>
+struct SpringRow {
+    const Real* k;         // N/m
+    const Real* k_length;  // k L, N: the stiffness times the rest length
+    const Real* c;         // N s/m; not read without damping
+    Real length;           // L, m
+};
+
+/// What a kernel reads of the model for one row. Rows alike share the arrays.
+template <class Real>
+struct RowConstants {
+    SpringRow<Real> fly, hoist, diagonal;  // to the right; to the row below; across the cells below
+    const Real* inverse_mass;              // 1/kg; 0 where a mass is held and in the padding
+    const Real* mass;                      // kg; 0 likewise
+    const Real* rate;                      // 1/s, all drag and friction over the mass; 0 likewise
+};
+
+/// Position, velocity and what a method keeps, by the method's own numbering; positions are 0, velocities 1.
+inline constexpr int max_fields = 6;
+
+/// What springs from one row leave waiting for the row below: row-long arrays, one a component.
+template <class Real>
+struct WaitingRow {
+    Real* first;
+    std::ptrdiff_t pitch;
+
+    DRAPEAU_INLINE Real* component(int c) const { return first + c * pitch; }
+};
+
+/// Numbers a pass sums for each row, in double (see Report).
+struct RowSums {
+    double external_work;   // J, by drag, friction and every term that pushes masses
+    double damping_work;    // J, by the springs' dampers
+    double elastic;         // J
+    double kinetic;         // J
+    double power;           // W, of all but the springs' elasticity, with the velocity as stored
+    double stretch;         // sum of |l - L| / L
+    double max_stretch;     // greatest (l - L) / L
+    double max_force;       // N, greatest |k (l - L)|
+    double force_squares;   // N2, sum of squares
+    double moment[3];       // kg m, sum of m x
+};
+
+/// One pass over the rows first <= j < last: what a kernel is given.
+template <class Real>
+struct Pass {
+    Field<Real> fields[max_fields];
+    // Halos: copies of the rows beyond the block as they were before the pass, `halo` of them; null at the cloth's
+    // border. The rows above go through the sweep too, for what they leave to row `first`, and are overwritten.
+    Field<Real> above[max_fields], below[max_fields];
+    int halo;
+    int first, last, rows;
+    int width;                             // elements a loop over a row covers
+    const RowConstants<Real>* constants;   // of each row
+    Field<const Real> acceleration;        // m/s2, of terms that push masses; one row for all, unless:
+    void (*accelerate)(void* terms, int row, double time);  // null, or fills `acceleration` for a row
+    void* terms;
+    double time;                           // s, of this pass
+    Real dt;                               // s
+    WaitingRow<Real> waiting;
+    RowSums* sums;                         // of each row; written only by passes that account
+    Field<Real> out;                       // of passes that store
+};
+
+/// A composition compiled ahead: a method, whether springs are damped, whether there are diagonals.
+template <class Real>
+struct Kernels {
+    int passes;            // force evaluations a step
+    int fields;            // position, velocity and what the method keeps
+    int seen_position, seen_velocity;  // the fields that forces are evaluated at
+    bool staggered;        // the velocity stored is half a step behind the position
+    bool starts_with_forces;  // start and synchronised need the acceleration
+    double stage_time[4];  // of each pass, in steps from the step's beginning
+    void (*advance[4])(const Pass<Real>&);
+    void (*advance_accounted[4])(const Pass<Real>&);  // the same bits, and the work done
+    void (*measure)(const Pass<Real>&);               // energy and stretch; moves nothing
+    void (*evaluate)(const Pass<Real>&);              // accelerations but for drag and friction, into `out`
+    // One mass: n is its element, a its acceleration but for drag and friction.
+    void (*start)(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& a, Real rate, Real dt);
+    Triple<Real> (*synchronised)(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& a, Real rate, Real dt);
+    // Moves a mass by dx and lets its velocity follow: what a pass after the move does.
+    void (*follow)(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& dx, Real dt);
+};
+
+}  // namespace drapeau

@@ -1,0 +1,128 @@
+// Method: what methods of integration are made of. A method is one file in methods/, a type with these members:
+//
+//   name, order, coarsest_step   its name in files, its order, the largest step (s) that anyone would want
+//   passes, stage_time, weight   force evaluations a step; of each, when in the step and its share in quadratures
+//   fields<damped>               position (0), velocity (1) and what the method keeps (2...)
+//   seen_position<damped>, seen_velocity<damped>   the fields that forces are evaluated at
+//   staggered                    the velocity stored is half a step behind the position
+//   total(a, rate, v, dt)        the acceleration with drag and friction, from the one without
+//   move<pass, damped>(masses, a, rate, dt)   moves a register of masses; returns their Motion
+//   starts_with_forces           whether start and synchronised need the acceleration
+//   start<damped>, synchronised<damped>, follow<damped>   for one mass, see below
+//   stable_step(oscillator)      the largest stable step, see stability.hpp
+//
+// The acceleration `a` that a method is given has everything but drag and friction in it; `rate` (1/s) is theirs.
+#pragma once
+
+#include "drapeau/field.hpp"
+#include "drapeau/isa.hpp"
+
+#include <cmath>
+
+namespace drapeau {
+inline namespace DRAPEAU_ISA {
+
+/// A register of masses, or one, in reach of a method: element i of each of its fields.
+template <class V>
+struct Masses {
+    using Real = typename Lanes<V>::Real;
+    const Field<Real>* fields;
+    std::ptrdiff_t i;
+
+    DRAPEAU_INLINE Triple<V> get(int field) const { return fields[field].template at<V>(i); }
+    DRAPEAU_INLINE void set(int field, const Triple<V>& value) const { fields[field].set(i, value); }
+};
+
+/// What a move reports of a mass: the acceleration it had, and the velocity that the work of its forces is counted with
+/// (chosen so that the work of all forces is what the kinetic energy gains).
+template <class V>
+struct Motion {
+    Triple<V> acceleration, velocity;
+};
+
+/// The rate where neither drag nor friction is listed: nothing is loaded and nothing computed.
+struct NoRate {};
+
+/// a - rate v.
+template <class V, class Rate>
+DRAPEAU_INLINE Triple<V> resisted(const Triple<V>& a, const Rate& rate, const Triple<V>& v) {
+    if constexpr (std::is_same_v<Rate, NoRate>)
+        return a;
+    else
+        return a - rate * v;
+}
+
+/// The largest stable step of a method: none, so many seconds, or unlimited.
+class StableStep {
+public:
+    constexpr StableStep() = default;  // none
+    static constexpr StableStep none() { return StableStep(0.0); }
+    static constexpr StableStep unlimited() { return StableStep(INFINITY); }
+    static constexpr StableStep of_seconds(double seconds) {
+        return seconds > 0.0 ? StableStep(seconds) : StableStep(0.0);
+    }
+
+    constexpr bool is_none() const { return seconds_ == 0.0; }
+    constexpr bool is_unlimited() const { return seconds_ == INFINITY; }
+    constexpr bool is_finite() const { return !is_none() && !is_unlimited(); }
+    constexpr double seconds() const { return seconds_; }  // 0 for none, infinite for unlimited
+    constexpr bool allows(double dt) const { return dt <= seconds_; }
+
+    friend constexpr StableStep smaller(StableStep a, StableStep b) { return a.seconds_ < b.seconds_ ? a : b; }
+    bool operator==(const StableStep&) const = default;
+
+private:
+    explicit constexpr StableStep(double seconds) : seconds_(seconds) {}
+    double seconds_ = 0.0;
+};
+
+/// m x'' = -k x - (c + on_mass) x': one mode that bounds those of a whole model (stability.hpp).
+struct Oscillator {
+    double mass;       // kg
+    double stiffness;  // N/m
+    double damping;    // N s/m, of springs
+    double on_mass;    // N s/m, drag and friction
+};
+
+/// The positive root of stiffness dt^2 + damping dt = 4 mass, without cancellation.
+inline StableStep step_where(double stiffness, double damping, double four_masses) {
+    if (stiffness == 0.0 && damping == 0.0) return StableStep::unlimited();
+    return StableStep::of_seconds(2.0 * four_masses /
+                                  (damping + std::sqrt(damping * damping + 4.0 * stiffness * four_masses)));
+}
+
+/// What most methods do for one mass: nothing to start, a velocity that is synchronised as it is stored.
+struct OneKick {
+    static constexpr int passes = 1;
+    static constexpr double stage_time[] = {0.0};
+    static constexpr double weight[] = {1.0};
+    static constexpr double coarsest_step = 1.0 / 60.0;  // s
+    static constexpr bool starts_with_forces = false;
+    template <bool damped>
+    static constexpr int fields = 2;
+    template <bool damped>
+    static constexpr int seen_position = 0;
+    template <bool damped>
+    static constexpr int seen_velocity = 1;
+
+    template <class V, class Rate, class Real>
+    DRAPEAU_INLINE static Triple<V> total(const Triple<V>& a, const Rate& rate, const Triple<V>& v, Real) {
+        return resisted(a, rate, v);
+    }
+    template <bool damped, class Real>
+    static void start(const Field<Real>*, std::ptrdiff_t, const Triple<Real>&, Real, Real) {}
+    template <bool damped, class Real>
+    static Triple<Real> synchronised(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>&, Real, Real) {
+        return fields[1].template at<Real>(n);
+    }
+    /// x += dx, v += dx / dt: a mass that was moved over has the velocity it was moved with.
+    template <bool damped, class Real>
+    static void follow(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& dx, Real dt) {
+        const Masses<Real> mass{fields, n};
+        mass.set(0, mass.get(0) + dx);
+        mass.set(1, mass.get(1) + (Real(1) / dt) * dx);
+    }
+};
+
+}  // namespace DRAPEAU_ISA
+}  // namespace drapeau

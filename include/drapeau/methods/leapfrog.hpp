@@ -1,0 +1,71 @@
+// Leapfrog: positions at whole steps, velocities half a step off; one force evaluation a step.
+//
+//   v+ = [(1 - b/2) v- + dt a(x)] / (1 + b/2),  x(t+dt) = x(t) + dt v+        b = (d + c_f) dt/m
+//
+// Order 2. Drag and friction are centred, so they do not lower the limit. Dampers of springs look at velocities of the
+// position's own time, predicted as v- + dt/2 a of the step before: one more stored vector keeps the order at 2 with
+// damping, and the limit is a + 4b < 4 with b of the springs' damping alone. Without damping nothing more is stored.
+#pragma once
+
+#include "drapeau/method.hpp"
+
+namespace drapeau {
+inline namespace DRAPEAU_ISA {
+
+struct Leapfrog : OneKick {
+    static constexpr const char* name = "leapfrog";
+    static constexpr int order = 2;
+    static constexpr bool staggered = true, starts_with_forces = true;
+    template <bool damped>
+    static constexpr int fields = damped ? 3 : 2;
+    template <bool damped>
+    static constexpr int seen_velocity = damped ? 2 : 1;
+
+    /// (v+ - v-) / dt = (a - rate v-) / (1 + b/2).
+    template <class V, class Rate, class Real>
+    DRAPEAU_INLINE static Triple<V> total(const Triple<V>& a, const Rate& rate, const Triple<V>& v, Real dt) {
+        if constexpr (std::is_same_v<Rate, NoRate>)
+            return a;
+        else
+            return (Real(1) / (Real(1) + (Real(0.5) * dt) * rate)) * (a - rate * v);
+    }
+
+    template <int pass, bool damped, class V, class Rate, class Real>
+    DRAPEAU_INLINE static Motion<V> move(const Masses<V>& masses, const Triple<V>& a, const Rate& rate, Real dt) {
+        const auto v = masses.get(1);
+        const auto all = total(a, rate, v, dt), v_next = v + dt * all;
+        masses.set(0, masses.get(0) + dt * v_next);
+        masses.set(1, v_next);
+        if constexpr (damped) masses.set(2, v_next + (Real(0.5) * dt) * all);
+        return {all, Real(0.5) * (v + v_next)};
+    }
+
+    /// v- = (1 + b/2) v - dt/2 a, from the velocity at the position's time.
+    template <bool damped, class Real>
+    static void start(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& a, Real rate, Real dt) {
+        const Masses<Real> mass{fields, n};
+        const auto v = mass.get(1);
+        if constexpr (damped) mass.set(2, v);
+        mass.set(1, (Real(1) + Real(0.5) * dt * rate) * v - (Real(0.5) * dt) * a);
+    }
+    /// v = (v- + v+) / 2.
+    template <bool damped, class Real>
+    static Triple<Real> synchronised(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& a, Real rate,
+                                     Real dt) {
+        const auto v = fields[1].template at<Real>(n);
+        return v + (Real(0.5) * dt) * total(a, rate, v, dt);
+    }
+    template <bool damped, class Real>
+    static void follow(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& dx, Real dt) {
+        OneKick::follow<damped>(fields, n, dx, dt);
+        const Masses<Real> mass{fields, n};
+        if constexpr (damped) mass.set(2, mass.get(2) + (Real(1) / dt) * dx);
+    }
+
+    static StableStep stable_step(const Oscillator& o) {
+        return step_where(o.stiffness, 4.0 * o.damping, 4.0 * o.mass);
+    }
+};
+
+}  // namespace DRAPEAU_ISA
+}  // namespace drapeau

@@ -1,0 +1,73 @@
+// Term: what may push or brake every mass, besides the springs. A term is one file in terms/, a plain aggregate of its
+// parameters with these members:
+//
+//   name                        for messages, tables and the benchmark
+//   table (if it has one)       its table in a scene file; its keys are rows of src/scene_fields.hpp
+//
+// and of these what it needs; what a term does not have is not asked for, and a term that is not listed is not executed:
+//
+//   accelerate(row, t, a)       adds the acceleration (m/s2) that it gives the masses of a row at time t (s)
+//   varies_by_row(grid)         whether that differs from row to row; without it, it does not
+//   damping(share)              N s/m that brake a mass's own velocity; share: of a mass inside (1), on a border (1/2 or
+//                               1 by the model). It lowers the largest stable step and its work is counted.
+//   is_air                      the damping is against the air, so wind is felt through it
+#pragma once
+
+#include "drapeau/state.hpp"
+
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace drapeau {
+inline namespace DRAPEAU_ISA {
+
+/// The masses of one row as a term sees them. Padding may be computed with: it is never moved.
+template <class Real>
+struct PushedRow {
+    const Grid& grid;
+    int row;
+    int width;              // elements to fill
+    const Real* drag_rate;  // 1/s, of each column: air drag over the mass
+};
+
+/// Settings of which each may be listed or not.
+template <class... Listed>
+class ListOf {
+public:
+    template <class T>
+    std::optional<T>& get() {
+        return std::get<std::optional<T>>(all_);
+    }
+    template <class T>
+    const std::optional<T>& get() const {
+        return std::get<std::optional<T>>(all_);
+    }
+    template <class T>
+    ListOf& add(const T& term) {
+        get<T>() = term;
+        return *this;
+    }
+
+    /// Calls visit(term) for each that is listed.
+    template <class Visit>
+    void for_each(Visit&& visit) const {
+        const auto look = [&](const auto& term) {
+            if (term) visit(*term);
+        };
+        std::apply([&](const auto&... terms) { (look(terms), ...); }, all_);
+    }
+    /// Calls visit(optional term) for each that there is.
+    template <class Self, class Visit>
+    static void for_all(Self& self, Visit&& visit) {
+        std::apply([&](auto&... terms) { (visit(terms), ...); }, self.all_);
+    }
+
+    bool operator==(const ListOf&) const = default;
+
+private:
+    std::tuple<std::optional<Listed>...> all_;
+};
+
+}  // namespace DRAPEAU_ISA
+}  // namespace drapeau

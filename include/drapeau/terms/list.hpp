@@ -1,0 +1,15 @@
+// The list of terms: scenes, the model, the programs and the benchmark follow it.
+#pragma once
+
+#include "drapeau/terms/air_drag.hpp"
+#include "drapeau/terms/friction.hpp"
+#include "drapeau/terms/gravity.hpp"
+#include "drapeau/terms/wind.hpp"
+
+namespace drapeau {
+inline namespace DRAPEAU_ISA {
+
+using Terms = ListOf<Gravity, AirDrag, Friction, Wind>;
+
+}  // namespace DRAPEAU_ISA
+}  // namespace drapeau

@@ -1,0 +1,154 @@
+#include "run/divergence.hpp"
+
+#include "scene_file.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <tuple>
+#include <utility>
+
+namespace drapeau {
+namespace {
+
+/// Runs batches from where the engine stands to time `end`; false once the watch says that it is broken. `now` is then
+/// the end of the batch that broke, `before` its beginning, kept in `place` of the engine.
+struct Replay {
+    Engine& engine;
+    Watch& watch;
+    const std::atomic<bool>* abandon;
+    int place;
+
+    bool abandoned() const { return abandon && abandon->load(std::memory_order_relaxed); }
+
+    bool holds(Progress& now, Progress& before, double end) const {
+        while (now.time() < end) {
+            before = now;
+            engine.save(place);
+            watch.begin_batch(engine, now);
+            Report report;
+            const long long to = now.next_batch();
+            if (engine.advance(now.clock, now.steps, to, watch.accounts(), report, abandon) < to) return true;
+            watch.count(report);
+            const long long taken = to - now.steps;
+            now.steps = to;
+            watch.end_batch(engine, now, taken);
+            if (watch.is_broken() || !std::isfinite(engine.look(now.time()).kinetic)) return false;
+        }
+        return true;
+    }
+};
+
+/// The first mass that is not finite, or else the fastest.
+std::pair<int, int> worst(const State<double>& state) {
+    std::pair<int, int> at{0, 0};
+    double most = -1.0;
+    for (int j = 0; j < state.rows(); ++j)
+        for (int i = 0; i < state.columns(); ++i) {
+            const auto x = state.position.at(i, j), v = state.velocity.at(i, j);
+            const double speed = v.x * v.x + v.y * v.y + v.z * v.z;
+            if (!std::isfinite(speed) || !std::isfinite(x.x + x.y + x.z)) return {i, j};
+            if (speed > most) most = speed, at = {i, j};
+        }
+    return at;
+}
+
+std::string cause_and_remedy(Method method, const Divergence& d) {
+    const std::string name(name_of(method));
+    const std::string remedy =
+        d.safe_dt > 0.0 ? "a step of " + in_words(d.safe_dt) + " holds"
+                        : "choose dt \"auto\", more drag or damping, or weaker wind, gravity or springs";
+    switch (d.cause) {
+        case Divergence::Cause::past_the_limit:
+            if (d.limit.is_none())
+                return name + " has no stable step without drag or friction: with semi-implicit-euler " + remedy;
+            return "the step " + in_words(d.dt) + " is above the stability limit " + in_words(d.limit.seconds()) +
+                   " of " + name + " for these springs and this damping; " + remedy;
+        case Divergence::Cause::energy_created:
+            return "the step " + in_words(d.dt) + " is within the stability limit " + in_words(d.limit.seconds()) +
+                   " of " + name + ", but the motion is so violent that the method creates energy; " + remedy;
+        case Divergence::Cause::beyond_precision:
+            break;
+    }
+    return "forces are too large for this precision; weaken wind, gravity or springs";
+}
+
+}  // namespace
+
+std::string in_words(double seconds) {
+    const double size = std::abs(seconds);
+    const char* unit = size >= 1.0 ? "s" : size >= 1e-3 ? "ms" : size >= 1e-6 ? "us" : "ns";
+    const double scale = size >= 1.0 ? 1.0 : size >= 1e-3 ? 1e3 : size >= 1e-6 ? 1e6 : 1e9;
+    char text[48];
+    std::snprintf(text, sizeof text, "%.3g %s", seconds * scale, unit);
+    return text;
+}
+
+Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const Progress& good, double broken_at,
+                              const std::atomic<bool>* abandon) {
+    constexpr int good_place = Watch::places, batch_place = Watch::places + 1;
+    const Watch watch_then = watch;
+    engine.save(good_place);
+    const Replay replay{engine, watch, abandon, batch_place};
+
+    Divergence d;
+    d.dt = good.clock.dt;
+    d.limit = stable_step(method, engine.model());
+    d.cause = !d.limit.allows(d.dt) ? Divergence::Cause::past_the_limit : Divergence::Cause::energy_created;
+
+    // The batch that broke, then the step within it, by halving.
+    Progress now = good, before = good;
+    const bool found = !replay.holds(now, before, broken_at + 2.0 * batch_seconds);
+    const bool finite = std::isfinite(engine.look(now.time()).kinetic);
+    long long bad = now.steps;
+    if (found && !finite) {
+        long long fine = before.steps;
+        while (bad - fine > 1 && !replay.abandoned()) {
+            const long long middle = fine + (bad - fine) / 2;
+            Report ignored;
+            engine.restore(batch_place);
+            engine.advance(now.clock, fine, middle, false, ignored, abandon);
+            if (std::isfinite(engine.look(now.clock.at(middle)).kinetic)) {
+                fine = middle;
+                engine.save(batch_place);
+            } else {
+                bad = middle;
+            }
+        }
+        Report ignored;
+        engine.restore(batch_place);
+        engine.advance(now.clock, fine, bad, false, ignored, abandon);
+    }
+    d.step = bad;
+    d.time = now.clock.at(bad);
+    std::tie(d.column, d.row) = worst(engine.state(d.time));
+    if (!finite && d.cause == Divergence::Cause::energy_created && before.steps == good.steps && bad - good.steps <= 1)
+        d.cause = Divergence::Cause::beyond_precision;
+
+    // A remedy is a step that holds from the same state for as long.
+    if (d.cause != Divergence::Cause::beyond_precision && !d.limit.is_none()) {
+        const double usual = automatic_share(engine.model()) * d.limit.seconds();
+        double dt = whole_steps_per_batch(std::min(usual, 0.7 * d.dt));
+        for (int tries = 0; tries < 5 && !replay.abandoned(); ++tries, dt = whole_steps_per_batch(0.6 * dt)) {
+            engine.restore(good_place);
+            engine.synchronise(good.time());
+            watch = watch_then;
+            Progress tried = good, ignored;
+            tried.clock = {good.time(), good.steps, dt};
+            watch.open(engine, tried, batch_seconds / dt, false);
+            if (replay.holds(tried, ignored, broken_at + 2.0 * batch_seconds) && !replay.abandoned()) {
+                d.safe_dt = dt;
+                break;
+            }
+        }
+    }
+
+    char where[160];
+    std::snprintf(where, sizeof where, "diverged at step %lld (t = %.4g s) at column %d, row %d: ", d.step, d.time,
+                  d.column, d.row);
+    d.message = where + cause_and_remedy(method, d);
+    engine.restore(good_place);
+    watch = watch_then;
+    return d;
+}
+
+}  // namespace drapeau

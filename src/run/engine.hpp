@@ -1,0 +1,54 @@
+// Engine: a model's masses in one precision, moved by the kernels of a method. Simulation chooses among engines.
+#pragma once
+
+#include "drapeau/energy.hpp"
+#include "drapeau/stepper.hpp"
+#include "scene.hpp"
+
+#include <atomic>
+#include <memory>
+
+namespace drapeau {
+
+class Engine {
+public:
+    virtual ~Engine() = default;
+
+    /// Takes the steps first <= n < last of the clock; `report` gets what they did. Looks at `abandon` every few
+    /// hundredths of a second and stops early once it is set. Returns the step it stands at.
+    virtual long long advance(const Clock& clock, long long first, long long last, bool accounted, Report& report,
+                         const std::atomic<bool>* abandon) = 0;
+    /// How many threads may share the work; small cloths stay on one, where a second would not pay. Throws InputError
+    /// where the system gives no more threads.
+    virtual void use_threads(int threads) = 0;
+    /// Takes over strengths; the grid and what is listed stay.
+    virtual void refill(const Model& model) = 0;
+    /// Lets the method start anew at time `now` (s), after a change.
+    virtual void synchronise(double now) = 0;
+
+    virtual const Model& model() const = 0;
+    virtual Measurement measure(double now) = 0;
+    struct Look {
+        double power = 0.0, kinetic = 0.0;  // W of external forces; J of the velocities stored
+    };
+    virtual Look look(double now) = 0;
+
+    virtual double epsilon() const = 0;     // of the precision
+    virtual glm::dvec3 corner() const = 0;  // m, where mass (0, 0) is
+
+    /// Position and velocity at the same time.
+    virtual State<double> state(double now) = 0;
+    virtual void set(const State<double>& state) = 0;
+    /// Positions as the picture takes them.
+    virtual void snapshot(FieldBuffer<float>& into) const = 0;
+    virtual std::uint64_t state_hash() const = 0;
+
+    /// Everything that the steps to come depend on, kept aside in one of a few places.
+    virtual void save(int place) = 0;
+    virtual void restore(int place) = 0;
+};
+
+/// An engine with all masses at rest at their places in the grid.
+std::unique_ptr<Engine> make_engine(const Model& model, Method method, Precision precision);
+
+}  // namespace drapeau

@@ -1,0 +1,290 @@
+#include "run/simulation.hpp"
+
+#include "error.hpp"
+#include "run/divergence.hpp"
+#include "run/start_state.hpp"
+#include "run/watch.hpp"
+#include "scene_file.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace drapeau {
+namespace {
+
+/// What must be the same for position and velocity to go on through a change of scene.
+bool goes_on(const FlagSettings& from, const FlagSettings& to) {
+    return from.attach == to.attach && from.start == to.start && from.prestretch == to.prestretch;
+}
+
+/// Whether only strengths differ, which an engine takes over as it runs.
+bool same_structure(const Scene& a, const Scene& b) {
+    return a.flag.columns == b.flag.columns && a.flag.rows == b.flag.rows && a.flag.width == b.flag.width &&
+           a.flag.height == b.flag.height && goes_on(a.flag, b.flag) && a.time.method == b.time.method &&
+           a.time.precision == b.time.precision &&
+           a.springs.diagonal_stiffness.has_value() == b.springs.diagonal_stiffness.has_value() &&
+           a.springs.damping.has_value() == b.springs.damping.has_value();
+}
+
+/// The step a scene asks for, or a share of the largest that the closed bound allows, `lowered` further.
+double chosen_step(const Scene& scene, const Model& model, bool exact, double lowered) {
+    if (scene.time.dt) return exact ? *scene.time.dt : whole_steps_per_batch(*scene.time.dt);
+    const auto coarsest =
+        with_method(scene.time.method, [](const auto& method) { return std::decay_t<decltype(method)>::coarsest_step; });
+    const auto share = [&](StableStep step) {
+        return whole_steps_per_batch(std::min(lowered * automatic_share(model) * step.seconds(), coarsest));
+    };
+    const auto stable = stable_step(scene.time.method, model);
+    if (!stable.is_none()) return share(stable);
+    const double wanted = share(stable_step(SemiImplicitEuler{}, model));
+    char line[240];
+    std::snprintf(line, sizeof line,
+                  "time.dt = \"auto\": %s has no stable step without drag or friction; "
+                  "for a step of %s their sum must exceed %.3g N s/m, or choose semi-implicit-euler",
+                  std::string(name_of(scene.time.method)).c_str(), in_words(wanted).c_str(),
+                  damping_needed(model, wanted));
+    throw InputError(line);
+}
+
+}  // namespace
+
+struct Simulation::Run {
+    Scene scene;
+    std::unique_ptr<Engine> engine;
+    Progress now;
+    Watch watch;
+    int threads = 1;
+    bool exact = false;       // a numeric dt is used as given
+    double lowered = 1.0;     // of the usual automatic step, after energy was created
+    double lowered_at = 0.0;  // s, when that last changed
+    PassReport limit;         // of the steps last asked for
+    Readings readings;        // the newest
+    long long readings_batches = 0;  // batches since then
+
+    Run(const Scene& wanted, const State<double>& state, double time, long long steps, bool exact_dt)
+        : scene(wanted),
+          engine(make_engine(model_of(wanted), wanted.time.method, wanted.time.precision)),
+          exact(exact_dt) {
+        engine->set(state);
+        restart_clock(time, steps);
+    }
+
+    bool automatic() const { return !scene.time.dt.has_value(); }
+    StableStep stable() const { return stable_step(scene.time.method, engine->model()); }
+
+    /// The step chosen anew, from a moment on; opens a new ledger.
+    void restart_clock(double time, long long steps) {
+        now = {{time, steps, chosen_step(scene, engine->model(), exact, lowered)}, steps};
+        in_batch_ = 0;
+        open();
+        readings_batches = many_batches;
+    }
+
+    /// Other strengths.
+    void refill(const Scene& wanted) {
+        const Model model = model_of(wanted);
+        chosen_step(wanted, model, exact, 1.0);  // throws before anything is changed
+        engine->synchronise(now.time());
+        engine->refill(model);
+        scene = wanted;
+        lowered = 1.0;
+        restart_clock(now.time(), now.steps);
+    }
+
+    /// Advances to a number of steps or, where an automatic step changes on the way, to about the time of their end.
+    std::optional<Divergence> advance(long long count, const std::atomic<bool>* abandon) {
+        const double end = now.clock.at(now.steps + count);
+        const auto steps_left = [&] { return std::llround((end - now.time()) / now.clock.dt); };
+        limit = {};
+        for (long long left = count; left > 0;) {
+            if (in_batch_ == 0) {
+                watch.begin_batch(*engine, now);
+                batch_end_ = now.next_batch();
+            }
+            const long long to = std::min(now.steps + left, batch_end_);
+            Report report;
+            const long long reached = engine->advance(now.clock, now.steps, to, watch.accounts(), report, abandon);
+            left -= reached - now.steps;
+            in_batch_ += reached - now.steps;
+            now.steps = reached;
+            watch.count(report);
+            limit.add(report.limit);
+            if (reached < to) return {};  // abandoned
+            if (reached < batch_end_) continue;
+
+            watch.end_batch(*engine, now, in_batch_);
+            in_batch_ = 0;
+            ++readings_batches;
+            if (automatic() ? watch.warns() : watch.is_broken()) {
+                const double broken_at = now.time();
+                watch.return_to_good(*engine, now);
+                if (!automatic() || lowered < smallest_lowered)
+                    return explain_divergence(*engine, watch, scene.time.method, now, broken_at, abandon);
+                lower(0.6);
+                left = steps_left();
+            } else if (lowered < 1.0 && watch.calm_for(calm, now.time()) && now.time() - lowered_at > calm) {
+                lower(1.0 / 0.8);
+                left = steps_left();
+            }
+        }
+        return {};
+    }
+
+    std::optional<Divergence> check() {
+        watch.look_now(*engine, now);
+        if (!watch.is_broken()) return {};
+        const double broken_at = now.time();
+        watch.return_to_good(*engine, now);
+        in_batch_ = 0;
+        return explain_divergence(*engine, watch, scene.time.method, now, broken_at, nullptr);
+    }
+
+    void use_threads(int count) {
+        engine->use_threads(count);
+        threads = count;
+    }
+
+    /// How many batches go by between two readings for the picture, so that they cost a hundredth of the steps.
+    long long batches_between_readings() const {
+        constexpr double steps_a_reading = 140.0;  // hundred times what it costs, in steps
+        return std::max(1LL, std::llround(steps_a_reading * now.clock.dt / batch_seconds));
+    }
+    static constexpr long long many_batches = 1LL << 40;
+
+private:
+    static constexpr double smallest_lowered = 1e-3;
+    static constexpr double calm = 2.0;  // s without energy created until a lowered step may grow again
+
+    void open() {
+        const bool creates = scene.time.method == method_id<ForwardEuler> || !stable().allows(now.clock.dt);
+        watch.open(*engine, now, batch_seconds / now.clock.dt, creates);
+    }
+
+    /// Another share of the usual automatic step from now on.
+    void lower(double by) {
+        lowered = std::min(1.0, by * lowered);
+        lowered_at = now.time();
+        const double dt = chosen_step(scene, engine->model(), exact, lowered);
+        engine->synchronise(now.time());
+        now.clock = {now.time(), now.steps, dt};
+    }
+
+    long long in_batch_ = 0;   // steps of the batch under way that are done
+    long long batch_end_ = 0;  // its end
+};
+
+Simulation::Simulation(const Scene& scene) {
+    check_scene(scene);
+    run_ = std::make_unique<Run>(scene, start_state(scene), 0.0, 0, false);
+}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+const Scene& Simulation::scene() const {
+    return run_->scene;
+}
+const Model& Simulation::model() const {
+    return run_->engine->model();
+}
+
+
+void Simulation::change(const Scene& scene) {
+    check_scene(scene);
+    if (same_structure(run_->scene, scene)) {
+        run_->refill(scene);
+        return;
+    }
+    const State<double> state = goes_on(run_->scene.flag, scene.flag)
+                                    ? carried_over(run_->engine->state(run_->now.time()), scene)
+                                    : start_state(scene);
+    auto next = std::make_unique<Run>(scene, state, run_->now.time(), run_->now.steps, run_->exact);
+    next->use_threads(run_->threads);
+    run_ = std::move(next);
+}
+
+std::optional<Divergence> Simulation::advance_batch(const std::atomic<bool>* abandon) {
+    return run_->advance(steps_per_batch(), abandon);
+}
+
+std::optional<Divergence> Simulation::advance_steps(long long count, const std::atomic<bool>* abandon) {
+    return run_->advance(count, abandon);
+}
+
+std::optional<Divergence> Simulation::check() {
+    return run_->check();
+}
+
+void Simulation::use_exact_dt() {
+    run_->exact = true;
+    run_->restart_clock(run_->now.time(), run_->now.steps);
+}
+
+void Simulation::use_threads(int threads) {
+    run_->use_threads(threads);
+}
+
+double Simulation::time() const {
+    return run_->now.time();
+}
+long long Simulation::steps() const {
+    return run_->now.steps;
+}
+double Simulation::dt() const {
+    return run_->now.clock.dt;
+}
+long long Simulation::steps_per_batch() const {
+    return std::max(1LL, std::llround(batch_seconds / run_->now.clock.dt));
+}
+StableStep Simulation::stability_limit() const {
+    return run_->stable();
+}
+
+std::string Simulation::lowered_because() const {
+    if (run_->lowered == 1.0) return "";
+    char line[160];
+    std::snprintf(line, sizeof line, "the motion is violent and a larger step creates energy: %.0f %% of the usual step",
+                  100.0 * run_->lowered);
+    return line;
+}
+
+void Simulation::snapshot(Snapshot& into) const {
+    run_->engine->snapshot(into.position);
+    into.time = run_->now.time();
+    into.steps = run_->now.steps;
+}
+
+Readings Simulation::readings() const {
+    const double now = run_->now.time();
+    const auto here = run_->engine->measure(now);
+    const auto& gravity = run_->engine->model().terms.get<Gravity>();
+    const glm::dvec3 g = gravity ? gravity->acceleration : glm::dvec3(0.0);
+    return {.kinetic_energy = here.kinetic,
+            .spring_energy = here.elastic,
+            .gravity_energy = -(g.x * here.moment.x + g.y * here.moment.y + g.z * here.moment.z),
+            .max_stretch = here.max_stretch,
+            .mean_stretch = here.mean_stretch,
+            .max_spring_force = here.max_force,
+            .rms_spring_force = here.rms_force,
+            .created_share = run_->watch.ledger().created_share(),
+            .limit = run_->limit,
+            .time = now};
+}
+
+const Readings& Simulation::recent_readings() {
+    if (run_->readings_batches >= run_->batches_between_readings()) {
+        run_->readings = readings();
+        run_->readings_batches = 0;
+    }
+    return run_->readings;
+}
+
+std::uint64_t Simulation::state_hash() const {
+    return run_->engine->state_hash();
+}
+
+State<double> Simulation::state() const {
+    return run_->engine->state(run_->now.time());
+}
+
+}  // namespace drapeau

@@ -1,0 +1,109 @@
+// Simulation: one run of a scene, its method, terms and precision chosen at run time.
+// Time advances in batches of 1/60 s; the state is single-owner (one thread at a time), never shared.
+#pragma once
+
+#include "scene.hpp"
+
+#include "drapeau/energy.hpp"
+#include "drapeau/flag.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace drapeau {
+
+/// Where every mass is at a moment, as the picture takes it.
+struct Snapshot {
+    FieldBuffer<float> position;  // m
+    double time = 0.0;            // s of simulated time
+    long long steps = 0;          // since the run began
+};
+
+/// Sizes of a moment, for panels and files. All of the same instant.
+struct Readings {
+    double kinetic_energy = 0.0;     // J
+    double spring_energy = 0.0;      // J
+    double gravity_energy = 0.0;     // J, zero at y = 0
+    double max_stretch = 0.0;        // share: 0.05 is 5 % longer than rest; over all springs
+    double mean_stretch = 0.0;       // share, mean of |l - L| / L
+    double max_spring_force = 0.0;   // N, max |k (l - L)|
+    double rms_spring_force = 0.0;   // N
+    double created_share = 0.0;      // of the energy there could be, what the method created (see energy.hpp)
+    PassReport limit;                // of the passes after the move, in the last batch
+    double time = 0.0;               // s, when it was measured
+};
+
+/// A run that diverged. The run then stands on the last state that was good.
+struct Divergence {
+    enum class Cause { past_the_limit, energy_created, beyond_precision };
+
+    long long step = 0;       // the step (since the run began) that broke it
+    double time = 0.0;        // s
+    int column = 0, row = 0;  // where
+    double dt = 0.0;          // s, the step in use
+    StableStep limit;         // the largest step the closed stability bound guarantees
+    double safe_dt = 0.0;     // s, a step that was tried from the same state and held; 0 if none was found
+    Cause cause = Cause::past_the_limit;
+    std::string message;      // one line for a person
+};
+
+class Simulation {
+public:
+    /// Builds the start state. Throws InputError (see check_scene, and "auto" where the method has no stable step).
+    explicit Simulation(const Scene& scene);
+    ~Simulation();
+    Simulation(Simulation&&) noexcept;
+    Simulation& operator=(Simulation&&) noexcept;
+
+    const Scene& scene() const;
+    const Model& model() const;
+
+    /// Takes new settings over between batches; position, velocity and time go on. Strengths are refilled in place; a
+    /// new grid or size is interpolated in the flag's own coordinates. Throws InputError and changes nothing if the
+    /// scene is impossible.
+    void change(const Scene& scene);
+
+    /// Advances 1/60 s in steps_per_batch() equal steps. If the run diverges it is put back to the last good state. With
+    /// an automatic step, energy created by the method takes the run back and repeats it with a smaller step instead.
+    /// If `abandon` is set meanwhile it gives up within a few hundredths of a second, between two steps.
+    std::optional<Divergence> advance_batch(const std::atomic<bool>* abandon = nullptr);
+
+    /// Advances `count` steps of exactly dt() (the laboratory's way, and the window's single step).
+    std::optional<Divergence> advance_steps(long long count, const std::atomic<bool>* abandon = nullptr);
+
+    /// Looks at the energy once more, at the end of a run: whether it is good up to now.
+    std::optional<Divergence> check();
+
+    /// The laboratory uses a numeric dt as given instead of rounding it to a whole number of steps a batch.
+    void use_exact_dt();
+
+    /// How many threads may share a step (1 at first); the bits are the same for any number. Throws InputError where the
+    /// system gives no more.
+    void use_threads(int threads);
+
+    double time() const;  // s
+    long long steps() const;
+    double dt() const;  // s, the step in use
+    long long steps_per_batch() const;
+    StableStep stability_limit() const;  // the closed bound for this scene and method
+    /// Why an automatic step is smaller than its usual share of the bound; empty where it is not.
+    std::string lowered_because() const;
+
+    void snapshot(Snapshot& into) const;
+    Readings readings() const;
+    /// Those of at most a few batches ago, so that they cost a hundredth of the steps.
+    const Readings& recent_readings();
+    std::uint64_t state_hash() const;  // of the bits of x and v as stored, padding excluded
+
+    /// Position and velocity of every mass at the same time. Reading it does not alter the run.
+    State<double> state() const;
+
+private:
+    struct Run;
+    std::unique_ptr<Run> run_;
+};
+
+}  // namespace drapeau

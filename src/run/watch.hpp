@@ -1,0 +1,90 @@
+// Watch: keeps a run's energy ledger on the way, for a few per cent of its steps, and states to return to.
+//
+// Batches are watched in windows of sixteen. The first batch of a window is accounted: energy is measured before and
+// after it, the work of every force is summed step by step, and what it created stands for the others. At the end of
+// every batch a look at the velocities gives the power of external forces, whose trapezoid is their work in between.
+// Where a batch has fewer than 32 steps, several are taken for one. All of it depends on step numbers alone, so the
+// same run is watched in the same way whatever asks for its steps.
+#pragma once
+
+#include "run/engine.hpp"
+
+#include "drapeau/flag.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace drapeau {
+
+/// How a run stands: what a checkpoint of the programs holds besides the masses.
+struct Progress {
+    Clock clock;
+    long long steps = 0;    // since the run began
+
+    double time() const { return clock.at(steps); }
+    /// The first step of the next batch: step n belongs to batch floor(60 (n - first) dt).
+    long long next_batch() const {
+        constexpr double rounding = 1e-6;  // of a batch: steps that fill batches do so up to rounding
+        const double dt = clock.dt / batch_seconds, done = static_cast<double>(steps - clock.first) * dt;
+        const double border = (std::floor(done + rounding) + 1.0 - rounding) / dt;
+        return std::max(steps + 1, clock.first + static_cast<long long>(std::min(std::ceil(border), 9e18)));
+    }
+};
+
+class Watch {
+public:
+    static constexpr int places = 2;  // of the engine that are used for states to return to
+
+    /// Opens a new ledger. `creates`: the method creates energy by nature, or the step is past its limit.
+    void open(Engine& engine, const Progress& now, double steps_a_batch, bool creates);
+
+    /// Before the first step of a batch: closes a window and opens the next, and keeps the state at its beginning.
+    void begin_batch(Engine& engine, const Progress& now);
+    bool accounts() const { return in_window() < group_; }
+    void count(const Report& report) { work_ += report.work.all(), external_ += report.work.external; }
+    /// After the last step of a batch.
+    void end_batch(Engine& engine, const Progress& now, long long steps);
+    /// Counts what has happened since the ledger was last written, at any time.
+    void look_now(Engine& engine, const Progress& now);
+
+    const Ledger& ledger() const { return ledger_; }
+    bool is_broken() const { return broken_ || ledger_.is_broken(creates_); }
+    /// Whether energy is being created to an extent that an automatic step answers with a smaller one.
+    bool warns() const;
+    /// Whether nothing of that has been seen for `seconds`.
+    bool calm_for(double seconds, double now) const { return now - last_unrest_ >= seconds; }
+
+    /// Puts engine and progress back to the newest state kept, which was good by this same measure.
+    void return_to_good(Engine& engine, Progress& now);
+
+private:
+    static constexpr int window_ = 16, steps_for_a_group = 32;
+
+    struct Saved {
+        Progress progress;
+        Ledger ledger;
+        double last_unrest = 0.0;
+        long long number = -1;  // -1: empty
+    };
+
+    long long in_window() const { return number_ % (window_ * group_); }
+    void write(Engine& engine, double now, double created, double external);
+    double rounding_energy(const Engine& engine) const;
+
+    Ledger ledger_;
+    bool creates_ = false, broken_ = false;
+    long long number_ = 0;  // batches since the ledger was opened
+    long long group_ = 1;   // batches taken for one
+    long long steps_ = 0;   // since the ledger was last written
+    double work_ = 0.0, external_ = 0.0;     // J, accounted since then
+    double estimated_ = 0.0, power_ = 0.0;   // J of external work by trapezoids since then; W at the last look
+    double looked_ = 0.0;                    // s, the last look
+    double balance_ = 0.0;                   // J, at the beginning of the accounted part
+    double created_then_ = 0.0;              // J, what the window's accounted part created
+    double last_unrest_ = 0.0;               // s
+    std::array<Saved, places> saved_;
+    int next_ = 0;
+};
+
+}  // namespace drapeau
