@@ -41,17 +41,28 @@ struct Work {
     double passes = 0.0;    // energy that passes after the move added
 
     double all() const { return external + damping + passes; }
+    void add(const Work& other) {
+        external += other.external, damping += other.damping, passes += other.passes;
+    }
+};
+
+/// A sum of which only samples are known: its value and the variance of that value.
+struct Estimate {
+    double value = 0.0, variance = 0.0;
+
+    void add(const Estimate& other) { value += other.value, variance += other.variance; }
+    double doubt() const { return 3.0 * std::sqrt(variance); }  // three standard errors
 };
 
 /// Energy created since the settings last changed, against all there could be.
 struct Ledger {
-    // Measured: good runs stay below 0.02, garbage above 0.4.
+    // Measured: good runs stay far below, garbage far above.
     static constexpr double broken_share = 0.3;
     static constexpr double window = 1.0;  // s, for creation that long runs would dilute
 
     double initial = 0.0;   // J
-    double external = 0.0;  // J, of spans in which the work of external forces was positive
-    double created = 0.0;   // J
+    Estimate external;      // J, what external forces brought in, summed over batches in which that was positive
+    Estimate created;       // J
     double rounding = 0.0;  // J, what rounding may have made
     double energy = 0.0;    // J, when last looked
 
@@ -59,41 +70,54 @@ struct Ledger {
     void open(double now, double joules) {
         *this = {};
         initial = energy = joules;
-        looks_.push_back({now, 0.0, 0.0, 0.0, joules});
+        looks_.push_back({now, joules, 0.0, {}, {}});
     }
 
-    /// Takes in the span up to `now` in which `external_work` and `created_energy` (J) were counted.
-    void add(double now, double joules, double external_work, double created_energy, double rounding_energy) {
-        external += std::max(0.0, external_work);
-        created += created_energy;
+    /// Takes in the span up to `now` (s) at whose end there are `joules`: what came in, what was created and what
+    /// rounding may have made in it (J).
+    void add(double now, double joules, const Estimate& came_in, const Estimate& made, double rounding_energy) {
+        external.add(came_in);
+        created.add(made);
         rounding += rounding_energy;
         energy = joules;
-        looks_.push_back({now, external, created, rounding, joules});
+        looks_.push_back({now, joules, rounding, external, created});
         while (looks_.size() > 2 && looks_[1].time <= now - window) looks_.pop_front();
     }
 
-    double scale() const { return std::max(initial + external, energy) + rounding; }
+    double scale() const { return std::max(initial + external.value + external.doubt(), energy) + rounding; }
 
-    /// Created energy over all that there could be: since the ledger was opened or in the last second, the greater.
+    /// Created energy (lost, if negative) over all that there could be, what is in doubt left out: since the ledger was
+    /// opened or in the last second, the greater.
     double created_share() const {
         const auto& then = looks_.front();
-        const double here = std::max(then.energy + external - then.external, energy) + rounding - then.rounding;
-        return std::max(share(created, scale()), share(created - then.created, here));
+        const Estimate lately{created.value - then.created.value, created.variance - then.created.variance};
+        const double came_in = external.value - then.external.value + external.doubt() - then.external.doubt();
+        const double here = std::max(then.energy + came_in, energy) + rounding - then.rounding;
+        const double all = share(certain(created), scale()), last = share(certain(lately), here);
+        return std::abs(last) > std::abs(all) ? last : all;
     }
     /// Energy over all that was there or came in.
-    double energy_share() const { return share(energy, initial + external + rounding); }
+    double energy_share() const {
+        return share(energy, initial + external.value + external.doubt() + rounding);
+    }
 
-    bool is_finite() const { return std::isfinite(energy) && std::isfinite(created); }
-    /// `creates`: the method creates energy by nature or the step is past its limit, so that only its energy counts.
+    bool is_finite() const { return std::isfinite(energy) && std::isfinite(created.value); }
+    /// `creates`: the method creates energy by nature or the step is past its limit, so that what it created is judged by
+    /// the energy there is.
     bool is_broken(bool creates) const {
-        return !is_finite() || energy_share() > 1.0 + broken_share || (!creates && created_share() > broken_share);
+        return !is_finite() || energy_share() > 1.0 + broken_share || created_share() < -broken_share ||
+               (!creates && created_share() > broken_share);
     }
 
 private:
     struct Look {
-        double time, external, created, rounding, energy;
+        double time, energy, rounding;
+        Estimate external, created;
     };
-    static double share(double part, double whole) { return part > 0.0 ? part / whole : 0.0; }
+    static double share(double part, double whole) { return part != 0.0 ? part / whole : 0.0; }
+    static double certain(const Estimate& e) {
+        return std::copysign(std::max(0.0, std::abs(e.value) - e.doubt()), e.value);
+    }
 
     std::deque<Look> looks_;
 };

@@ -66,7 +66,7 @@ public:
     Report advance(long long steps) {
         const long long from = steps_;
         steps_ += steps;
-        return stepper_.advance(clock_, from, steps_, false);
+        return stepper_.advance(clock_, from, steps_);
     }
     /// Takes the steps of `count` sixtieths of a second; their step is made to fill them first.
     Report advance_batches(long long count) {

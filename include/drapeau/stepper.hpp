@@ -30,9 +30,11 @@ struct Clock {
 
 /// What a batch of steps did, summed on the way.
 struct Report {
-    Work work;         // of accounted batches
+    Work work;         // in the step that was accounted
     PassReport limit;  // of passes after the move
 };
+
+inline constexpr long long no_step = -1;
 
 template <class Real>
 class Stepper {
@@ -90,13 +92,14 @@ public:
         return state;
     }
 
-    /// Takes the steps first <= n < last of the clock. With `accounted` the work of every force is summed.
-    Report advance(const Clock& clock, long long first, long long last, bool accounted) {
+    /// Takes the steps first <= n < last of the clock. In step `accounted` the work of every force is summed.
+    Report advance(const Clock& clock, long long first, long long last, long long accounted = no_step) {
         if (started_dt_ != clock.dt) restart(clock.at(first), clock.dt);
         Report report;
-        if (accounted) std::fill(sums_.begin(), sums_.end(), RowSums{});
+        const bool accounts = accounted >= first && accounted < last;
+        if (accounts) std::fill(sums_.begin(), sums_.end(), RowSums{});
         run([&](int n) { members_[n]->advance(clock, first, last, accounted, report); });
-        if (accounted)
+        if (accounts)
             for (const auto& row : sums_) {
                 report.work.external += row.external_work;
                 report.work.damping += row.damping_work;
@@ -134,15 +137,11 @@ public:
         have_synchronised();
     }
 
-    /// What a look at velocities alone tells, for little.
-    struct Look {
-        double power = 0.0;    // W, of gravity, wind, drag and friction
-        double kinetic = 0.0;  // J, of the velocities stored
-    };
-    Look look(double now) {
-        run([&](int n) { members_[n]->watch(now); });
-        Look sum;
-        for (const auto& row : sums_) sum.power += row.power, sum.kinetic += row.kinetic;
+    /// Kinetic energy (J) of the velocities as stored, for little.
+    double kinetic() {
+        run([&](int n) { members_[n]->sum_kinetic(); });
+        double sum = 0.0;
+        for (const auto& row : sums_) sum += row.kinetic;
         return sum;
     }
 
@@ -187,14 +186,14 @@ private:
             return p;
         }
 
-        void advance(const Clock& clock, long long from, long long to, bool accounted, Report& report) {
+        void advance(const Clock& clock, long long from, long long to, long long accounted, Report& report) {
             const auto& k = all.kernels_;
             const bool alone = all.members_.size() == 1, limited = all.is_limited();
             Pass<Real> p = pass(clock.dt);
-            const auto* kernels = accounted ? k.advance_accounted : k.advance;
             int parity = 0;
             if (!alone) hand_over(parity), all.team_->meet();
-            for (long long step = from; step < to; ++step)
+            for (long long step = from; step < to; ++step) {
+                const auto* kernels = step == accounted ? k.advance_accounted : k.advance;
                 for (int n = 0; n < k.passes; ++n) {
                     p.time = clock.at(step) + k.stage_time[n] * clock.dt;
                     if (!p.accelerate) accelerate(first, p.time);
@@ -203,11 +202,12 @@ private:
                     parity = 1 - parity;
                     if (limited && n + 1 == k.passes) {
                         if (!alone) all.team_->meet();
-                        if (number == 0) all.after_the_move(clock.at(step + 1), clock.dt, accounted, report);
+                        if (number == 0) all.after_the_move(clock.at(step + 1), clock.dt, step == accounted, report);
                         if (!alone) all.team_->meet();
                     }
                     if (!alone) hand_over(parity), all.team_->meet();
                 }
+            }
         }
 
         /// A pass that moves nothing.
@@ -224,24 +224,16 @@ private:
             kernel(p);
         }
 
-        /// Power of external forces and kinetic energy of this member's rows.
-        void watch(double now) {
+        void sum_kinetic() {
             using V = Vector<Real, 16>;
-            using L = Lanes<V>;
             const auto velocity = std::as_const(all.fields_[1]).view();
-            const auto a = std::as_const(acceleration).view();
             for (int j = first; j < last; ++j) {
-                if (j == first || all.model_.varies_by_row()) accelerate(j, now);
-                const auto& constants = all.rows_.constants()[j];
-                V power{}, kinetic{};
-                for (int i = 0; i < all.rows_.width(); i += L::width) {
+                V sum{};
+                for (int i = 0; i < all.rows_.width(); i += Lanes<V>::width) {
                     const auto v = velocity.row(j).template at<V>(i);
-                    const V m = L::load(constants.mass + i), mvv = m * dot(v, v);
-                    power = power + (m * dot(a.template at<V>(i), v) - L::load(constants.rate + i) * mvv);
-                    kinetic = kinetic + mvv;
+                    sum = sum + Lanes<V>::load(all.rows_.constants()[j].mass + i) * dot(v, v);
                 }
-                all.sums_[j].power = sum_of(power);
-                all.sums_[j].kinetic = 0.5 * sum_of(kinetic);
+                all.sums_[j].kinetic = 0.5 * sum_of(sum);
             }
         }
 

@@ -27,12 +27,11 @@ struct Replay {
             watch.begin_batch(engine, now);
             Report report;
             const long long to = now.next_batch();
-            if (engine.advance(now.clock, now.steps, to, watch.accounts(), report, abandon) < to) return true;
+            if (engine.advance(now.clock, now.steps, to, watch.accounted_step(), report, abandon) < to) return true;
             watch.count(report);
-            const long long taken = to - now.steps;
             now.steps = to;
-            watch.end_batch(engine, now, taken);
-            if (watch.is_broken() || !std::isfinite(engine.look(now.time()).kinetic)) return false;
+            watch.end_batch(engine, now);
+            if (watch.is_broken() || !std::isfinite(engine.kinetic())) return false;
         }
         return true;
     }
@@ -98,7 +97,7 @@ Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const
     // The batch that broke, then the step within it, by halving.
     Progress now = good, before = good;
     const bool found = !replay.holds(now, before, broken_at + 2.0 * batch_seconds);
-    const bool finite = std::isfinite(engine.look(now.time()).kinetic);
+    const bool finite = std::isfinite(engine.kinetic());
     long long bad = now.steps;
     if (found && !finite) {
         long long fine = before.steps;
@@ -106,8 +105,8 @@ Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const
             const long long middle = fine + (bad - fine) / 2;
             Report ignored;
             engine.restore(batch_place);
-            engine.advance(now.clock, fine, middle, false, ignored, abandon);
-            if (std::isfinite(engine.look(now.clock.at(middle)).kinetic)) {
+            engine.advance(now.clock, fine, middle, no_step, ignored, abandon);
+            if (std::isfinite(engine.kinetic())) {
                 fine = middle;
                 engine.save(batch_place);
             } else {
@@ -116,7 +115,7 @@ Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const
         }
         Report ignored;
         engine.restore(batch_place);
-        engine.advance(now.clock, fine, bad, false, ignored, abandon);
+        engine.advance(now.clock, fine, bad, no_step, ignored, abandon);
     }
     d.step = bad;
     d.time = now.clock.at(bad);

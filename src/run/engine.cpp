@@ -16,16 +16,14 @@ public:
     EngineOf(const Model& model, Method method)
         : stepper_(model, find_kernels<Real>(method, model.has_diagonals(), model.is_damped())) {}
 
-    long long advance(const Clock& clock, long long first, long long last, bool accounted, Report& report,
-                 const std::atomic<bool>* abandon) override {
+    long long advance(const Clock& clock, long long first, long long last, long long accounted, Report& report,
+                      const std::atomic<bool>* abandon) override {
         constexpr long long mass_steps_a_turn = 10'000'000;  // some hundredths of a second
         const auto steps_a_turn = std::max(1LL, mass_steps_a_turn / model().grid.masses());
         for (long long step = first; step < last; step += steps_a_turn) {
             if (abandon && abandon->load(std::memory_order_relaxed)) return step;
             const Report turn = stepper_.advance(clock, step, std::min(last, step + steps_a_turn), accounted);
-            report.work.external += turn.work.external;
-            report.work.damping += turn.work.damping;
-            report.work.passes += turn.work.passes;
+            report.work.add(turn.work);
             report.limit.add(turn.limit);
         }
         return last;
@@ -44,11 +42,7 @@ public:
 
     const Model& model() const override { return stepper_.model(); }
     Measurement measure(double now) override { return stepper_.measure(now); }
-    Look look(double now) override {
-        const auto seen = stepper_.look(now);
-        return {seen.power, seen.kinetic};
-    }
-
+    double kinetic() override { return stepper_.kinetic(); }
     double epsilon() const override { return std::numeric_limits<Real>::epsilon(); }
     glm::dvec3 corner() const override { return stepper_.position().at(0, 0); }
 

@@ -14,10 +14,10 @@ class Engine {
 public:
     virtual ~Engine() = default;
 
-    /// Takes the steps first <= n < last of the clock; `report` gets what they did. Looks at `abandon` every few
-    /// hundredths of a second and stops early once it is set. Returns the step it stands at.
-    virtual long long advance(const Clock& clock, long long first, long long last, bool accounted, Report& report,
-                         const std::atomic<bool>* abandon) = 0;
+    /// Takes the steps first <= n < last of the clock; `report` gets what they did, work in the step `accounted`. Looks
+    /// at `abandon` every few hundredths of a second and stops early once it is set. Returns the step it stands at.
+    virtual long long advance(const Clock& clock, long long first, long long last, long long accounted, Report& report,
+                              const std::atomic<bool>* abandon) = 0;
     /// How many threads may share the work; small cloths stay on one, where a second would not pay. Throws InputError
     /// where the system gives no more threads.
     virtual void use_threads(int threads) = 0;
@@ -28,11 +28,7 @@ public:
 
     virtual const Model& model() const = 0;
     virtual Measurement measure(double now) = 0;
-    struct Look {
-        double power = 0.0, kinetic = 0.0;  // W of external forces; J of the velocities stored
-    };
-    virtual Look look(double now) = 0;
-
+    virtual double kinetic() = 0;           // J, of the velocities stored
     virtual double epsilon() const = 0;     // of the precision
     virtual glm::dvec3 corner() const = 0;  // m, where mass (0, 0) is
 

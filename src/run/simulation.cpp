@@ -103,7 +103,7 @@ struct Simulation::Run {
             }
             const long long to = std::min(now.steps + left, batch_end_);
             Report report;
-            const long long reached = engine->advance(now.clock, now.steps, to, watch.accounts(), report, abandon);
+            const long long reached = engine->advance(now.clock, now.steps, to, watch.accounted_step(), report, abandon);
             left -= reached - now.steps;
             in_batch_ += reached - now.steps;
             now.steps = reached;
@@ -112,7 +112,7 @@ struct Simulation::Run {
             if (reached < to) return {};  // abandoned
             if (reached < batch_end_) continue;
 
-            watch.end_batch(*engine, now, in_batch_);
+            watch.end_batch(*engine, now);
             in_batch_ = 0;
             ++readings_batches;
             if (automatic() ? watch.warns() : watch.is_broken()) {

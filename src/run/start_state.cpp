@@ -37,7 +37,7 @@ void let_go(Engine& engine, double dt) {
     stopped.position = before.position;
     engine.set(stopped);
     Report ignored;
-    engine.advance({.dt = dt}, 0, 1, false, ignored, nullptr);
+    engine.advance({.dt = dt}, 0, 1, no_step, ignored, nullptr);
     auto after = engine.state(0.0);
     for (int j = 0; j < after.rows(); ++j)
         for (int i = 0; i < after.columns(); ++i) {
@@ -68,8 +68,8 @@ State<double> settled(const Scene& scene, const State<double>& start) {
     engine->set(start);
     Report ignored;
     for (long long step = 0; step < max_steps; step += look_every) {
-        engine->advance({.dt = dt}, 0, look_every, false, ignored, nullptr);
-        const double kinetic = engine->look(0.0).kinetic;
+        engine->advance({.dt = dt}, 0, look_every, no_step, ignored, nullptr);
+        const double kinetic = engine->kinetic();
         if (kinetic < before) {
             if (moved && before < 0.5 * total_mass * still * still) break;
             let_go(*engine, dt);

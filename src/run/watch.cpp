@@ -10,24 +10,38 @@ namespace {
 // An automatic step answers long before a run is broken; good runs stay far below.
 constexpr double created_to_warn = 0.1, energy_to_warn = 1.15, created_when_calm = 0.03;
 
+/// The sum of what each stands for, and how far it may be off by their scatter.
+Estimate sum_of_samples(const std::vector<double>& samples) {
+    const auto n = static_cast<double>(samples.size());
+    Estimate sum;
+    for (const double s : samples) sum.value += s;
+    for (const double s : samples) sum.variance += std::pow(s - sum.value / n, 2) * n / std::max(1.0, n - 1.0);
+    return sum;
+}
+
+double gross(const std::vector<double>& samples) {
+    double sum = 0.0;
+    for (const double s : samples) sum += std::abs(s);
+    return sum;
+}
+
 }  // namespace
 
 void Watch::open(Engine& engine, const Progress& now, double steps_a_batch, bool creates) {
     *this = {};
     creates_ = creates;
     group_ = std::max(1LL, static_cast<long long>(std::ceil(steps_for_a_group / std::max(steps_a_batch, 1.0))));
-    const auto here = engine.measure(now.time());
-    ledger_.open(now.time(), here.total());
-    looked_ = last_unrest_ = now.time();
-    power_ = engine.look(now.time()).power;
+    energy_ = engine.measure(now.time()).total();
+    ledger_.open(now.time(), energy_);
+    taken_in_ = last_unrest_ = now.time();
+    written_step_ = now.steps;
 }
 
 bool Watch::warns() const {
-    return is_broken() || ledger_.energy_share() > energy_to_warn ||
-           (!creates_ && ledger_.created_share() > created_to_warn);
+    return is_broken() || ledger_.energy_share() > energy_to_warn || std::abs(ledger_.created_share()) > created_to_warn;
 }
 
-double Watch::rounding_energy(const Engine& engine) const {
+double Watch::rounding_energy(const Engine& engine, long long steps) const {
     // Every length is rounded by about half a unit in the last place of the coordinates, so a step's kick is off by
     // k eps X for each spring, and energy walks up by (dt k eps X)^2 / 2m, at most k (eps X)^2 for a stable step.
     const Model& model = engine.model();
@@ -36,61 +50,61 @@ double Watch::rounding_energy(const Engine& engine) const {
     const double size = std::hypot(model.grid.columns * model.grid.pitch_x, model.grid.rows * model.grid.pitch_y) +
                         std::sqrt(far.x * far.x + far.y * far.y + far.z * far.z);
     const double k = std::max(model.springs.stiffness, model.springs.diagonal_stiffness.value_or(0.0));
-    return static_cast<double>(steps_) * static_cast<double>(model.springs_in_all()) * k * std::pow(eps * size, 2);
+    return static_cast<double>(steps) * static_cast<double>(model.springs_in_all()) * k * std::pow(eps * size, 2);
 }
 
-void Watch::write(Engine& engine, double now, double created, double external) {
-    const auto here = engine.measure(now);
-    ledger_.add(now, here.total(), external, created, rounding_energy(engine));
-    if (ledger_.created_share() > created_when_calm) last_unrest_ = now;
-    steps_ = 0;
-    work_ = external_ = estimated_ = 0.0;
-    balance_ = here.balance();
+void Watch::take_in(double now, double dt) {
+    const double times = (now - taken_in_) / dt;  // steps that the accounted one stands for
+    work_.push_back(times * counted_.all());
+    external_.push_back(times * counted_.external);
+    counted_ = {};
+    taken_in_ = now;
+}
+
+void Watch::write(Engine& engine, const Progress& now) {
+    const double joules = engine.measure(now.time()).total();
+    Estimate work = sum_of_samples(work_), came_in = sum_of_samples(external_);
+    came_in.value = 0.0;
+    for (const double in : external_) came_in.value += std::max(0.0, in);
+    ledger_.add(now.time(), joules, came_in, {joules - energy_ - work.value, work.variance},
+                rounding_energy(engine, now.steps - written_step_));
+    if (std::abs(ledger_.created_share()) > created_when_calm) last_unrest_ = now.time();
+    energy_ = joules;
+    work_.clear(), external_.clear();
+    written_step_ = now.steps;
 }
 
 void Watch::begin_batch(Engine& engine, const Progress& now) {
-    if (in_window() != 0) return;
-    if (number_ > 0)
-        write(engine, now.time(), (window_ - 1) * created_then_, estimated_);
-    else
-        balance_ = engine.measure(now.time()).balance();
-    if (warns()) return;  // not a state to return to
+    if (number_ % group_ == 0) {
+        const auto steps = static_cast<std::uint64_t>(now.next_batch() - now.steps);
+        accounted_ = now.steps + static_cast<long long>(mix(static_cast<std::uint64_t>(number_)) % steps);
+    }
+    if (in_window() != 0 || warns()) return;  // a state to return to is good
     Saved& saved = saved_[static_cast<std::size_t>(next_)];
     saved = {now, ledger_, last_unrest_, number_};
     engine.save(next_);
     next_ = (next_ + 1) % places;
 }
 
-void Watch::end_batch(Engine& engine, const Progress& now, long long steps) {
-    const bool accounted = accounts();
+void Watch::end_batch(Engine& engine, const Progress& now) {
     ++number_;
-    steps_ += steps;
-    const bool last_of_account = in_window() == group_;
     if (number_ % group_ != 0) return;
-
-    const auto seen = engine.look(now.time());
-    estimated_ += 0.5 * (power_ + seen.power) * (now.time() - looked_);
-    power_ = seen.power;
-    looked_ = now.time();
+    take_in(now.time(), now.clock.dt);
     // Far beyond all there is: no need to wait for the window's end. (Velocities half a kick back swing by less.)
     constexpr double far_beyond = 10.0;
-    const double all = ledger_.scale() + std::max(0.0, accounted ? external_ : estimated_) + rounding_energy(engine);
-    broken_ = !std::isfinite(seen.kinetic) || seen.kinetic > far_beyond * all;
-    if (broken_ || !accounted || !last_of_account) return;
-
-    const auto after = engine.measure(now.time());
-    created_then_ = after.balance() - balance_ - work_;
-    write(engine, now.time(), created_then_, external_);
+    const double kinetic = engine.kinetic();
+    broken_ = !std::isfinite(kinetic) ||
+              kinetic > far_beyond * (ledger_.scale() + gross(work_) + gross(external_) +
+                                      rounding_energy(engine, now.steps - written_step_));
+    if (!broken_ && in_window() == 0) write(engine, now);
 }
 
 void Watch::look_now(Engine& engine, const Progress& now) {
-    if (now.time() == looked_ && steps_ == 0) return;
-    const auto seen = engine.look(now.time());
-    estimated_ += 0.5 * (power_ + seen.power) * (now.time() - looked_);
-    const auto here = engine.measure(now.time());
-    Ledger sum = ledger_;
-    sum.add(now.time(), here.total(), estimated_, 0.0, rounding_energy(engine));
-    broken_ = broken_ || sum.is_broken(creates_);
+    if (now.steps == written_step_) return;
+    Watch then = *this;
+    if (then.counted_.all() != 0.0) then.take_in(now.time(), now.clock.dt);
+    if (now.time() - then.taken_in_ < 0.5 * batch_seconds) then.write(engine, now);
+    broken_ = broken_ || then.ledger_.is_broken(creates_) || !std::isfinite(engine.kinetic());
 }
 
 void Watch::return_to_good(Engine& engine, Progress& now) {
@@ -105,11 +119,11 @@ void Watch::return_to_good(Engine& engine, Progress& now) {
     number_ = newest->number;
     next_ = place;  // taken again when the window begins again
     broken_ = false;
-    steps_ = 0;
-    work_ = external_ = estimated_ = created_then_ = 0.0;
-    looked_ = now.time();
-    power_ = engine.look(now.time()).power;
-    balance_ = engine.measure(now.time()).balance();
+    counted_ = {};
+    work_.clear(), external_.clear();
+    taken_in_ = now.time();
+    written_step_ = now.steps;
+    energy_ = engine.measure(now.time()).total();
 }
 
 }  // namespace drapeau

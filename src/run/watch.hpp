@@ -1,10 +1,9 @@
 // Watch: keeps a run's energy ledger on the way, for a few per cent of its steps, and states to return to.
 //
-// Batches are watched in windows of sixteen. The first batch of a window is accounted: energy is measured before and
-// after it, the work of every force is summed step by step, and what it created stands for the others. At the end of
-// every batch a look at the velocities gives the power of external forces, whose trapezoid is their work in between.
-// Where a batch has fewer than 32 steps, several are taken for one. All of it depends on step numbers alone, so the
-// same run is watched in the same way whatever asks for its steps.
+// In every batch one step, taken at random (but the same in every run), sums the work of every force; it stands for the
+// others. After eight batches energy is measured and the ledger written. Where a batch has few steps, several batches
+// are taken for one. All of it depends on step numbers alone, so the same run is watched in the same way whatever asks
+// for its steps.
 #pragma once
 
 #include "run/engine.hpp"
@@ -14,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace drapeau {
 
@@ -39,13 +39,13 @@ public:
     /// Opens a new ledger. `creates`: the method creates energy by nature, or the step is past its limit.
     void open(Engine& engine, const Progress& now, double steps_a_batch, bool creates);
 
-    /// Before the first step of a batch: closes a window and opens the next, and keeps the state at its beginning.
+    /// Before the first step of a batch: chooses the step to account; every eighth time keeps the state.
     void begin_batch(Engine& engine, const Progress& now);
-    bool accounts() const { return in_window() < group_; }
-    void count(const Report& report) { work_ += report.work.all(), external_ += report.work.external; }
+    long long accounted_step() const { return accounted_; }
+    void count(const Report& report) { counted_.add(report.work); }
     /// After the last step of a batch.
-    void end_batch(Engine& engine, const Progress& now, long long steps);
-    /// Counts what has happened since the ledger was last written, at any time.
+    void end_batch(Engine& engine, const Progress& now);
+    /// Looks at the energy at any time.
     void look_now(Engine& engine, const Progress& now);
 
     const Ledger& ledger() const { return ledger_; }
@@ -59,7 +59,7 @@ public:
     void return_to_good(Engine& engine, Progress& now);
 
 private:
-    static constexpr int window_ = 16, steps_for_a_group = 32;
+    static constexpr int window_ = 8, steps_for_a_group = 12;
 
     struct Saved {
         Progress progress;
@@ -69,20 +69,21 @@ private:
     };
 
     long long in_window() const { return number_ % (window_ * group_); }
-    void write(Engine& engine, double now, double created, double external);
-    double rounding_energy(const Engine& engine) const;
+    void take_in(double now, double dt);
+    void write(Engine& engine, const Progress& now);
+    double rounding_energy(const Engine& engine, long long steps) const;
 
     Ledger ledger_;
     bool creates_ = false, broken_ = false;
-    long long number_ = 0;  // batches since the ledger was opened
-    long long group_ = 1;   // batches taken for one
-    long long steps_ = 0;   // since the ledger was last written
-    double work_ = 0.0, external_ = 0.0;     // J, accounted since then
-    double estimated_ = 0.0, power_ = 0.0;   // J of external work by trapezoids since then; W at the last look
-    double looked_ = 0.0;                    // s, the last look
-    double balance_ = 0.0;                   // J, at the beginning of the accounted part
-    double created_then_ = 0.0;              // J, what the window's accounted part created
-    double last_unrest_ = 0.0;               // s
+    long long number_ = 0;             // batches since the ledger was opened
+    long long group_ = 1;              // batches taken for one
+    long long accounted_ = no_step;    // the step of the group under way that is accounted
+    Work counted_;                     // in that step
+    double taken_in_ = 0.0;            // s, up to when its work was taken in
+    std::vector<double> external_, work_;  // J, estimates for each group since the ledger was last written
+    long long written_step_ = 0;       // when that was
+    double energy_ = 0.0;              // J, then
+    double last_unrest_ = 0.0;         // s
     std::array<Saved, places> saved_;
     int next_ = 0;
 };
