@@ -2,7 +2,9 @@
 
 #include "error.hpp"
 
+#include <climits>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -23,10 +25,29 @@ std::string filter_for(const std::filesystem::path& file) {
     return "pad=ceil(iw/2)*2:ceil(ih/2)*2,format=yuv420p";
 }
 
+constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP};
+
+char unfinished_film[PATH_MAX];
+
+// A film takes minutes: signals do not wait for it, so one that ends the program removes what is not finished.
+extern "C" void remove_film_and_end(int signal) {
+    unlink(unfinished_film);
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
+// A signal that the program was started to ignore stays ignored.
+void replace_handler(void (*from)(int), void (*to)(int)) {
+    for (const int signal : ending_signals) {
+        const auto before = std::signal(signal, to);
+        if (before != from) std::signal(signal, before);
+    }
+}
+
 }  // namespace
 
 Film::Film(const std::filesystem::path& file, int width, int height, int frames_per_second)
-    : file_(file), width_(width), height_(height) {
+    : file_(file), output_(file.string()), width_(width), height_(height) {
     std::signal(SIGPIPE, SIG_IGN);  // an ffmpeg that gives up is noticed when writing
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw InputError("--film: no pipe to ffmpeg could be made");
@@ -37,7 +58,7 @@ Film::Film(const std::filesystem::path& file, int width, int height, int frames_
                                    "-i",     "pipe:0",    "-vf",      filter_for(file)};
     if (file.extension() == ".mp4")
         words.insert(words.end(), {"-c:v", "libx264", "-crf", "18", "-movflags", "+faststart"});
-    words.push_back(std::filesystem::absolute(file).string());
+    words.push_back(output_.path().string());
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
@@ -49,7 +70,11 @@ Film::Film(const std::filesystem::path& file, int width, int height, int frames_
     posix_spawn_file_actions_destroy(&actions);
     close(ends[0]);
     pipe_ = ends[1];
-    if (failure == 0) return;
+    if (failure == 0) {
+        std::snprintf(unfinished_film, sizeof unfinished_film, "%s", output_.path().c_str());
+        replace_handler(SIG_DFL, remove_film_and_end);
+        return;
+    }
     ffmpeg_ = -1;
     close(std::exchange(pipe_, -1));
     throw InputError(std::string("--film needs ffmpeg, which could not be started: ") + std::strerror(failure));
@@ -57,6 +82,7 @@ Film::Film(const std::filesystem::path& file, int width, int height, int frames_
 
 Film::~Film() {
     end();
+    replace_handler(remove_film_and_end, SIG_DFL);
 }
 
 void Film::add(const Image& frame) {
@@ -80,6 +106,7 @@ int Film::end() {
 
 void Film::finish() {
     if (end() != 0) throw InputError("--film " + file_.string() + ": ffmpeg could not make it; what it said is above");
+    output_.finish();
 }
 
 }  // namespace drapeau
