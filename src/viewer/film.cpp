@@ -1,7 +1,9 @@
 #include "film.hpp"
 
 #include "error.hpp"
+#include "text.hpp"
 
+#include <algorithm>
 #include <climits>
 #include <csignal>
 #include <cstdio>
@@ -12,6 +14,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -48,14 +51,28 @@ void replace_handler(void (*from)(int), void (*to)(int)) {
 
 Film::Film(const std::filesystem::path& file, int width, int height, int frames_per_second)
     : file_(file), output_(file.string()), width_(width), height_(height) {
+    complaints_ = memfd_create("ffmpeg", MFD_CLOEXEC);
     std::signal(SIGPIPE, SIG_IGN);  // an ffmpeg that gives up is noticed when writing
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw InputError("--film: no pipe to ffmpeg could be made");
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
-    std::vector<std::string> words{"ffmpeg", "-loglevel", "error",    "-y",
-                                   "-f",     "rawvideo",  "-pix_fmt", "rgba",
-                                   "-s",     size,        "-r",       std::to_string(frames_per_second),
-                                   "-i",     "pipe:0",    "-vf",      filter_for(file)};
+    std::vector<std::string> words{"ffmpeg",
+                                   "-loglevel",
+                                   "error",
+                                   "-xerror",
+                                   "-y",
+                                   "-f",
+                                   "rawvideo",
+                                   "-pix_fmt",
+                                   "rgba",
+                                   "-s",
+                                   size,
+                                   "-r",
+                                   std::to_string(frames_per_second),
+                                   "-i",
+                                   "pipe:0",
+                                   "-vf",
+                                   filter_for(file)};
     if (file.extension() == ".mp4")
         words.insert(words.end(), {"-c:v", "libx264", "-crf", "18", "-movflags", "+faststart"});
     words.push_back(output_.path().string());
@@ -66,6 +83,7 @@ Film::Film(const std::filesystem::path& file, int width, int height, int frames_
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+    if (complaints_ >= 0) posix_spawn_file_actions_adddup2(&actions, complaints_, STDERR_FILENO);
     const int failure = posix_spawnp(&ffmpeg_, "ffmpeg", &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     close(ends[0]);
@@ -77,11 +95,13 @@ Film::Film(const std::filesystem::path& file, int width, int height, int frames_
     }
     ffmpeg_ = -1;
     close(std::exchange(pipe_, -1));
+    if (complaints_ >= 0) close(complaints_);
     throw InputError(std::string("--film needs ffmpeg, which could not be started: ") + std::strerror(failure));
 }
 
 Film::~Film() {
     end();
+    if (complaints_ >= 0) close(complaints_);
     replace_handler(remove_film_and_end, SIG_DFL);
 }
 
@@ -91,9 +111,20 @@ void Film::add(const Image& frame) {
     while (written < frame.rgba.size()) {
         const ssize_t count = write(pipe_, frame.rgba.data() + written, frame.rgba.size() - written);
         if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) throw InputError("--film " + file_.string() + ": ffmpeg gave up; what it said is above");
+        if (count <= 0) fail();
         written += std::size_t(count);
     }
+}
+
+// The first line that ffmpeg complained in is the cause, the others what followed from it.
+void Film::fail() {
+    end();
+    std::string said(1000, '\0');
+    const ssize_t count = pread(complaints_, said.data(), said.size(), 0);
+    said.resize(count > 0 ? std::size_t(count) : 0);
+    said.resize(std::min(said.find('\n'), said.size()));
+    throw InputError("--film " + file_.string() + ": ffmpeg could not make it" +
+                     (said.empty() ? "" : ": " + one_line(said, 300)));
 }
 
 int Film::end() {
@@ -105,7 +136,7 @@ int Film::end() {
 }
 
 void Film::finish() {
-    if (end() != 0) throw InputError("--film " + file_.string() + ": ffmpeg could not make it; what it said is above");
+    if (end() != 0) fail();
     output_.finish();
 }
 

@@ -26,11 +26,13 @@ public:
 
 private:
     int end();
+    [[noreturn]] void fail();
 
     std::filesystem::path file_;
     OutputFile output_;
     int width_, height_;
     int pipe_ = -1;
+    int complaints_ = -1;  // a file in memory, what ffmpeg writes to its standard error
     pid_t ffmpeg_ = -1;
 };
 
