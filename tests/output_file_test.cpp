@@ -4,6 +4,7 @@
 #include "error.hpp"
 #include "image/image.hpp"
 #include "output_file.hpp"
+#include "viewer/library.hpp"
 
 #include <algorithm>
 #include <array>
@@ -115,6 +116,12 @@ bool says(const std::string& message, const std::string& what) {
 
 const std::string long_text(5000, 'x');
 
+Scene long_scene() {
+    Scene scene;
+    scene.name = long_text;
+    return scene;
+}
+
 Image noise() {
     Image image{.width = 64, .height = 64, .rgba = std::vector<std::uint8_t>(64 * 64 * 4)};
     std::mt19937 random(1);
@@ -141,14 +148,15 @@ TEST_CASE("on a full disk the old file stays, no other appears, and the reason i
     const std::function<void(const std::string&)> writers[] = {
         [](const std::string& file) { write_text(file, long_text); },
         [](const std::string& file) { write_png(file, noise()); },
+        [](const std::string& file) { save_scene(long_scene(), file); },
     };
-    put(folder / "old", "what was here");
+    put(folder / "old.toml", "what was here");
     for (const auto& write : writers) {
-        for (const std::string name : {"old", "new"}) {
+        for (const std::string name : {"old.toml", "new.toml"}) {
             const std::string said = refusal_in_child(disk_is_nearly_full, [&] { write(folder / name); });
             CHECK(says(said, folder / name + ": cannot be written: File too large"));
-            CHECK(contents(folder / "old") == "what was here");
-            CHECK(folder.names() == Names{"old"});
+            CHECK(contents(folder / "old.toml") == "what was here");
+            CHECK(folder.names() == Names{"old.toml"});
         }
     }
 }
