@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <iterator>
+#include <memory>
 #include <thread>
 
 using namespace drapeau;
@@ -139,13 +140,14 @@ TEST_CASE("a change goes on from where the run is, a restart from the start") {
 
 TEST_CASE("of several changes asked for at once the last counts, and a restart among them is not lost") {
     SimulationThread thread{Simulation(large())};
+    thread.ask_batches(3);
+    thread.wait();
     thread.ask_batches(1);
-    std::this_thread::sleep_for(5ms);
     thread.restart(sheet(20, 10), 1);
     thread.apply(sheet(30, 10), 2);
     const Moment moment = wait_for(thread, [](const Moment& now) { return now.revision == 2; });
     CHECK(moment.snapshot.columns == 30);
-    CHECK(moment.snapshot.time <= batch_seconds * 1.001);
+    CHECK(moment.snapshot.time <= 1.001 * batch_seconds);
 }
 
 TEST_CASE("a change while a batch runs is taken before the next") {
@@ -162,15 +164,16 @@ TEST_CASE("a change while a batch runs is taken before the next") {
     CHECK(thread.backlog() > 9990);
 }
 
-TEST_CASE("a thread ends promptly, however much was asked for") {
+TEST_CASE("a thread ends promptly in the middle of a batch that takes minutes") {
+    Scene slow = large();
+    slow.time.dt = 1e-8;
+    auto thread = std::make_unique<SimulationThread>(Simulation(slow));
+    thread->ask_batches(1000);
+    std::this_thread::sleep_for(50ms);
     const auto begin = std::chrono::steady_clock::now();
-    {
-        SimulationThread thread{Simulation(large())};
-        thread.ask_batches(1000000);
-        wait_for(thread, [](const Moment& moment) { return moment.snapshot.steps > 0; });
-    }
-    // A million batches take hours; half a minute is for a busy machine.
-    CHECK(std::chrono::steady_clock::now() - begin < 30s);
+    thread.reset();
+    // Hundredths of a second; the rest is for a busy machine.
+    CHECK(std::chrono::steady_clock::now() - begin < 10s);
 }
 
 TEST_CASE("a refused scene is reported with its reason and leaves the run as it was") {
