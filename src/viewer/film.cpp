@@ -52,7 +52,6 @@ void replace_handler(void (*from)(int), void (*to)(int)) {
 Film::Film(const std::filesystem::path& file, int width, int height, int frames_per_second)
     : file_(file), output_(file.string()), width_(width), height_(height) {
     complaints_ = memfd_create("ffmpeg", MFD_CLOEXEC);
-    std::signal(SIGPIPE, SIG_IGN);  // an ffmpeg that gives up is noticed when writing
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw InputError("--film: no pipe to ffmpeg could be made");
     const std::string size = std::to_string(width) + "x" + std::to_string(height);

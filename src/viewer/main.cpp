@@ -4,6 +4,7 @@
 
 #include "error.hpp"
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -11,6 +12,7 @@
 int main(int count, char** words) {
     drapeau::Options options;
     if (const auto status = drapeau::read_options(count, words, options)) return *status;
+    std::signal(SIGPIPE, SIG_IGN);  // a pipe whose reader is gone is noticed when writing
     try {
         drapeau::Viewer viewer(options);
         while (viewer.running()) {
