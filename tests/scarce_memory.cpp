@@ -47,6 +47,13 @@ void* operator new(std::size_t bytes, std::align_val_t alignment) {
     return drapeau::testing::allocated(bytes,
                                        std::max<std::size_t>(std::size_t(alignment), __STDCPP_DEFAULT_NEW_ALIGNMENT__));
 }
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+    try {
+        return operator new(bytes);
+    } catch (...) {
+        return nullptr;
+    }
+}
 void operator delete(void* memory) noexcept {
     std::free(memory);
 }
