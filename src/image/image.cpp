@@ -2,6 +2,7 @@
 
 #include "error.hpp"
 #include "image/image_file.hpp"
+#include "output_file.hpp"
 
 #include <stb_image.h>
 #include <stb_image_write.h>
@@ -89,24 +90,10 @@ Image shrunk_to(Image image, int side) {
 }
 
 void write_png(const std::filesystem::path& file, const Image& image) {
-    // Through memory, so that a full disk is noticed.
     std::vector<char> bytes;
-    const bool encoded =
-        stbi_write_png_to_func(append_bytes, &bytes, image.width, image.height, 4, image.rgba.data(), image.width * 4);
-    std::ofstream out(file, std::ios::binary | std::ios::trunc);
-    out.write(bytes.data(), std::streamsize(bytes.size()));
-    out.close();
-    if (!encoded || !out) throw InputError(file.string() + ": the picture could not be written");
-}
-
-void check_writable(const std::filesystem::path& file, const char* what) {
-    std::error_code failure;
-    const std::string named = std::string(what) + " " + file.string();
-    if (std::filesystem::is_directory(file, failure)) throw InputError(named + ": a folder, not a file");
-    const bool was_there = std::filesystem::exists(file, failure);
-    const bool writable = bool(std::ofstream(file, std::ios::binary | std::ios::app));
-    if (!was_there && writable) std::filesystem::remove(file, failure);
-    if (!writable) throw InputError(named + ": cannot be written (missing folder or no permission)");
+    if (!stbi_write_png_to_func(append_bytes, &bytes, image.width, image.height, 4, image.rgba.data(), image.width * 4))
+        throw InputError(file.string() + ": the picture could not be encoded");
+    write_file(file.string(), [&](const Append& append) { append({bytes.data(), bytes.size()}); });
 }
 
 }  // namespace drapeau

@@ -22,10 +22,7 @@ Image load_image(const std::filesystem::path& file);
 /// The image averaged over whole blocks until no side is longer than `side`.
 Image shrunk_to(Image image, int side);
 
-/// Writes a PNG. Throws InputError if the file cannot be written whole.
+/// Writes a PNG, whole or not at all. Throws InputError if it cannot be written.
 void write_png(const std::filesystem::path& file, const Image& image);
-
-/// Throws InputError if `file` could not be written to; leaves nothing behind. `what` names the option in the message.
-void check_writable(const std::filesystem::path& file, const char* what);
 
 }  // namespace drapeau

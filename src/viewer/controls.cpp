@@ -1,7 +1,5 @@
 #include "controls.hpp"
 
-#include <GLFW/glfw3.h>
-
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -63,8 +61,8 @@ void Controls::press(const InputEvent& event, bool claimed, Session& session) {
     drag_ = Drag::none;
     if (claimed) return;
     last_ = event.at;
-    if (event.code == GLFW_MOUSE_BUTTON_RIGHT || event.code == GLFW_MOUSE_BUTTON_MIDDLE) drag_ = Drag::slide;
-    if (event.code != GLFW_MOUSE_BUTTON_LEFT) return;
+    if (event.button == MouseButton::right || event.button == MouseButton::middle) drag_ = Drag::slide;
+    if (event.button != MouseButton::left) return;
     drag_ = Drag::turn;
     const bool twice =
         event.time - pressed_time_ < double_click_seconds && glm::length(event.at - pressed_at_) < double_click_pixels;
@@ -75,45 +73,45 @@ void Controls::press(const InputEvent& event, bool claimed, Session& session) {
 
 void Controls::key(const InputEvent& event, Session& session, Camera& camera) {
     ViewSettings& view = session.scene.view;
-    switch (event.code) {
-        case GLFW_KEY_SPACE:
+    switch (event.key) {
+        case Key::space:
             toggle(session.paused);
             return;
-        case GLFW_KEY_F1:
+        case Key::f1:
             toggle(session.help_shown);
             return;
-        case GLFW_KEY_HOME:
+        case Key::home:
             session.wishes.reset_camera = true;
             return;
-        case GLFW_KEY_LEFT:
+        case Key::left:
             camera.turn({-arrow_pixels, 0.0f});
             return;
-        case GLFW_KEY_RIGHT:
+        case Key::right:
             camera.turn({arrow_pixels, 0.0f});
             return;
-        case GLFW_KEY_UP:
+        case Key::up:
             camera.turn({0.0f, -arrow_pixels});
             return;
-        case GLFW_KEY_DOWN:
+        case Key::down:
             camera.turn({0.0f, arrow_pixels});
             return;
-        case GLFW_KEY_KP_ADD:
+        case Key::keypad_add:
             camera.closer(1.0f);
             return;
-        case GLFW_KEY_KP_SUBTRACT:
+        case Key::keypad_subtract:
             camera.closer(-1.0f);
             return;
-        case GLFW_KEY_ESCAPE:
+        case Key::escape:
             if (session.help_shown)
                 session.help_shown = false;
             else
                 session.message.text.clear();
             return;
-        default:
+        case Key::other:
             break;
     }
     const char letter = event.character.size() == 1 ? event.character[0] : '\0';
-    if (event.modifiers & GLFW_MOD_CONTROL) {
+    if (event.control) {
         if (letter == 'q' || letter == 'w') quit_ = true;
         return;
     }

@@ -1,8 +1,12 @@
 #include "film.hpp"
 
 #include "error.hpp"
+#include "text.hpp"
 
+#include <algorithm>
+#include <climits>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -10,6 +14,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -23,21 +28,53 @@ std::string filter_for(const std::filesystem::path& file) {
     return "pad=ceil(iw/2)*2:ceil(ih/2)*2,format=yuv420p";
 }
 
+constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP};
+
+char unfinished_film[PATH_MAX];
+
+// A film takes minutes: signals do not wait for it, so one that ends the program removes what is not finished.
+extern "C" void remove_film_and_end(int signal) {
+    unlink(unfinished_film);
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
+// A signal that the program was started to ignore stays ignored.
+void replace_handler(void (*from)(int), void (*to)(int)) {
+    for (const int signal : ending_signals) {
+        const auto before = std::signal(signal, to);
+        if (before != from) std::signal(signal, before);
+    }
+}
+
 }  // namespace
 
 Film::Film(const std::filesystem::path& file, int width, int height, int frames_per_second)
-    : file_(file), width_(width), height_(height) {
-    std::signal(SIGPIPE, SIG_IGN);  // an ffmpeg that gives up is noticed when writing
+    : file_(file), output_(file.string()), width_(width), height_(height) {
+    complaints_ = memfd_create("ffmpeg", MFD_CLOEXEC);
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw InputError("--film: no pipe to ffmpeg could be made");
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
-    std::vector<std::string> words{"ffmpeg", "-loglevel", "error",    "-y",
-                                   "-f",     "rawvideo",  "-pix_fmt", "rgba",
-                                   "-s",     size,        "-r",       std::to_string(frames_per_second),
-                                   "-i",     "pipe:0",    "-vf",      filter_for(file)};
+    std::vector<std::string> words{"ffmpeg",
+                                   "-loglevel",
+                                   "error",
+                                   "-xerror",
+                                   "-y",
+                                   "-f",
+                                   "rawvideo",
+                                   "-pix_fmt",
+                                   "rgba",
+                                   "-s",
+                                   size,
+                                   "-r",
+                                   std::to_string(frames_per_second),
+                                   "-i",
+                                   "pipe:0",
+                                   "-vf",
+                                   filter_for(file)};
     if (file.extension() == ".mp4")
         words.insert(words.end(), {"-c:v", "libx264", "-crf", "18", "-movflags", "+faststart"});
-    words.push_back(std::filesystem::absolute(file).string());
+    words.push_back(output_.path().string());
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
@@ -45,18 +82,26 @@ Film::Film(const std::filesystem::path& file, int width, int height, int frames_
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+    if (complaints_ >= 0) posix_spawn_file_actions_adddup2(&actions, complaints_, STDERR_FILENO);
     const int failure = posix_spawnp(&ffmpeg_, "ffmpeg", &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     close(ends[0]);
     pipe_ = ends[1];
-    if (failure == 0) return;
+    if (failure == 0) {
+        std::snprintf(unfinished_film, sizeof unfinished_film, "%s", output_.path().c_str());
+        replace_handler(SIG_DFL, remove_film_and_end);
+        return;
+    }
     ffmpeg_ = -1;
     close(std::exchange(pipe_, -1));
+    if (complaints_ >= 0) close(complaints_);
     throw InputError(std::string("--film needs ffmpeg, which could not be started: ") + std::strerror(failure));
 }
 
 Film::~Film() {
     end();
+    if (complaints_ >= 0) close(complaints_);
+    replace_handler(remove_film_and_end, SIG_DFL);
 }
 
 void Film::add(const Image& frame) {
@@ -65,9 +110,20 @@ void Film::add(const Image& frame) {
     while (written < frame.rgba.size()) {
         const ssize_t count = write(pipe_, frame.rgba.data() + written, frame.rgba.size() - written);
         if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) throw InputError("--film " + file_.string() + ": ffmpeg gave up; what it said is above");
+        if (count <= 0) fail();
         written += std::size_t(count);
     }
+}
+
+// The first line that ffmpeg complained in is the cause, the others what followed from it.
+void Film::fail() {
+    end();
+    std::string said(1000, '\0');
+    const ssize_t count = pread(complaints_, said.data(), said.size(), 0);
+    said.resize(count > 0 ? std::size_t(count) : 0);
+    said.resize(std::min(said.find('\n'), said.size()));
+    throw InputError("--film " + file_.string() + ": ffmpeg could not make it" +
+                     (said.empty() ? "" : ": " + one_line(said, 300)));
 }
 
 int Film::end() {
@@ -79,7 +135,8 @@ int Film::end() {
 }
 
 void Film::finish() {
-    if (end() != 0) throw InputError("--film " + file_.string() + ": ffmpeg could not make it; what it said is above");
+    if (end() != 0) fail();
+    output_.finish();
 }
 
 }  // namespace drapeau

@@ -1,7 +1,9 @@
-// Film: frames handed to ffmpeg as they are drawn; the file's ending chooses the format.
+// Film: frames handed to ffmpeg as they are drawn; the file's ending chooses the format. The film appears once it is
+// whole.
 #pragma once
 
 #include "image/image.hpp"
+#include "output_file.hpp"
 
 #include <filesystem>
 
@@ -11,7 +13,7 @@ namespace drapeau {
 
 class Film {
 public:
-    /// Throws InputError if there is no ffmpeg.
+    /// Throws InputError if the file cannot be written or there is no ffmpeg.
     Film(const std::filesystem::path& file, int width, int height, int frames_per_second);
     ~Film();
     Film(const Film&) = delete;
@@ -24,10 +26,13 @@ public:
 
 private:
     int end();
+    [[noreturn]] void fail();
 
     std::filesystem::path file_;
+    OutputFile output_;
     int width_, height_;
     int pipe_ = -1;
+    int complaints_ = -1;  // a file in memory, what ffmpeg writes to its standard error
     pid_t ffmpeg_ = -1;
 };
 

@@ -1,11 +1,11 @@
 #include "library.hpp"
 
 #include "error.hpp"
+#include "output_file.hpp"
 #include "scene_file.hpp"
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <system_error>
 
 namespace drapeau {
@@ -54,14 +54,7 @@ fs::path save_scene(const Scene& scene, const std::string& path) {
     if (path.empty()) throw InputError("a scene needs a file name to be saved, for example my-flag.toml");
     fs::path file = path;
     if (!file.has_extension()) file += ".toml";
-    std::error_code failure;
-    if (fs::is_directory(file, failure)) throw InputError(file.string() + ": a folder, not a file");
-    std::ofstream out(file, std::ios::trunc);
-    out << write_scene(scene);
-    out.close();
-    if (!out)
-        throw InputError(file.string() +
-                         ": the scene could not be written (missing folder, no permission or full disk)");
+    write_file(file.string(), [&](const Append& append) { append(write_scene(scene)); });
     return fs::absolute(file);
 }
 

@@ -31,7 +31,7 @@ std::vector<std::filesystem::path> shipped_images();
 /// How a scene file should name this image: shipped ones by name, others by their full path.
 std::string texture_name(const std::filesystem::path& image);
 
-/// Writes the scene as TOML; gives the file's full path.
+/// Writes the scene as TOML, whole or not at all; gives the file's full path.
 std::filesystem::path save_scene(const Scene& scene, const std::string& path);
 
 /// The first of drapeau-001.png, drapeau-002.png ... in the working directory that is not there yet.

@@ -1,15 +1,18 @@
-// drapeau: the window. Exit status 0 good, 2 bad input, 3 a run with --frames that diverged.
+// drapeau: the window. Exit status 0 good, 1 a failure, 2 bad input, 3 a run with --frames that diverged.
 #include "options.hpp"
 #include "viewer.hpp"
 
 #include "error.hpp"
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <new>
 
 int main(int count, char** words) {
     drapeau::Options options;
     if (const auto status = drapeau::read_options(count, words, options)) return *status;
+    std::signal(SIGPIPE, SIG_IGN);  // a pipe whose reader is gone is noticed when writing
     try {
         drapeau::Viewer viewer(options);
         while (viewer.running()) {
@@ -23,6 +26,9 @@ int main(int count, char** words) {
     } catch (const drapeau::InputError& wrong) {
         std::fprintf(stderr, "drapeau: %s\n", wrong.what());
         return 2;
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "drapeau: not enough memory\n");
+        return 1;
     } catch (const std::exception& failure) {
         std::fprintf(stderr, "drapeau: %s\n", failure.what());
         return 1;

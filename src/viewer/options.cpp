@@ -1,7 +1,7 @@
 #include "options.hpp"
 
 #include "error.hpp"
-#include "image/image.hpp"
+#include "output_file.hpp"
 #include "scene_file.hpp"
 
 #include <CLI/CLI.hpp>
@@ -47,8 +47,8 @@ void check(const Options& options) {
     if (options.azimuth && !std::isfinite(*options.azimuth)) throw InputError("--azimuth: a number of degrees");
     if (options.elevation && !(std::abs(*options.elevation) <= 85.0f))
         throw InputError("--elevation: degrees from -85 to 85");
-    if (!options.screenshot.empty()) check_writable(options.screenshot, "--screenshot");
-    if (!options.film.empty()) check_writable(options.film, "--film");
+    if (!options.screenshot.empty()) check_writable(options.screenshot);
+    if (!options.film.empty()) check_writable(options.film);
 }
 
 }  // namespace

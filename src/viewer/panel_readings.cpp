@@ -25,7 +25,7 @@ std::string share_of_limit(double share) {
 
 std::string pace_of(const Session& session) {
     const Status& s = session.status;
-    if (s.divergence) return "stopped";
+    if (s.stands()) return "stopped";
     if (session.paused) return "paused";
     if (!s.clock || s.real_time_factor <= 0.0) return none;
     return written("real time \xc3\x97 %.2f", s.real_time_factor);

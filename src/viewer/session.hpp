@@ -24,18 +24,21 @@ struct Wishes {
     std::optional<std::string> save_scene;    // a path
 };
 
-/// The message box: what went wrong or was done.
+/// The message box: what went wrong or was done. Whatever is said later takes its place.
 struct Message {
-    std::string text;
+    enum class Cause { deed, refusal, standstill };
+    std::string text{};
     bool trouble = true;
     double seconds_left = 0.0;  // it goes by itself; 0: it stays until closed
+    Cause cause = Cause::deed;  // of what the user did, of a scene that was refused, of a run that stands
 };
 
 /// What the panels show of the run.
 struct Status {
     Readings readings;
     std::optional<Divergence> divergence;
-    double time = 0.0;  // s, simulated
+    std::string failure;  // why the run stands otherwise; empty while it does not
+    double time = 0.0;    // s, simulated
     long long steps = 0;
     int columns = 0, rows = 0;
     double dt = 0.0;  // s
@@ -47,6 +50,8 @@ struct Status {
     double step_seconds = 0.0;      // wall-clock
     double frame_seconds = 0.0;     // wall-clock
     double flag_proportions = 0.0;  // of the texture, width / height; 0 without one
+
+    bool stands() const { return divergence || !failure.empty(); }
 };
 
 struct Session {

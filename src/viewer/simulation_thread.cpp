@@ -1,12 +1,32 @@
 #include "simulation_thread.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
+#include <new>
 #include <utility>
 
 namespace drapeau {
 
-SimulationThread::SimulationThread(Simulation simulation) : simulation_(std::move(simulation)) {
+namespace {
+
+constexpr std::size_t longest_failure = 240;  // bytes; reserved, so that a lack of memory can be told
+
+std::string refusal_for_lack_of_memory(const FlagSettings& flag) {
+    return "not enough memory for this flag: " + std::to_string(flag.columns) + " x " + std::to_string(flag.rows) +
+           " masses; fewer columns or rows need less";
+}
+
+}  // namespace
+
+int simulation_threads(unsigned processors) {
+    return std::max(1, static_cast<int>(processors) - 1);
+}
+
+SimulationThread::SimulationThread(Simulation simulation, int threads)
+    : threads_(threads), simulation_(std::move(simulation)) {
+    simulation_.use_threads(threads_);
+    failure_.reserve(longest_failure);
     now_.scene = simulation_.scene();
     publish();
     thread_ = std::thread([this] { work(); });
@@ -62,9 +82,12 @@ int SimulationThread::backlog() const {
 
 bool SimulationThread::take(Moment& newest) {
     const std::lock_guard lock(mutex_);
-    if (!newest_) return false;
-    newest = std::move(*newest_);
+    if (!newest_ && !failure_new_) return false;
+    if (newest_) newest = std::move(*newest_);
+    newest.failure = failure_;
+    newest.failed_revision = failed_revision_;
     newest_.reset();
+    failure_new_ = false;
     return true;
 }
 
@@ -80,18 +103,13 @@ void SimulationThread::work() {
         wanted_.wait(lock, [this] { return ending_ || change_ || batches_ > 0 || single_steps_ > 0; });
         if (ending_) return;
         busy_ = true;
-        const std::optional<Change> change = std::exchange(change_, std::nullopt);
+        std::optional<Change> change = std::exchange(change_, std::nullopt);
         const bool single = !change && single_steps_ > 0;
         abandon_ = false;
         lock.unlock();
-        bool advanced = false;
-        if (change)
-            carry_out(*change);
-        else
-            advanced = advance(single);
-        publish();
+        const bool advanced = carry_out(std::move(change), single);
         lock.lock();
-        if (now_.divergence)
+        if (now_.divergence || failed_)
             batches_ = single_steps_ = 0;
         else if (advanced)
             --(single ? single_steps_ : batches_);
@@ -100,26 +118,55 @@ void SimulationThread::work() {
     }
 }
 
-void SimulationThread::carry_out(const Change& change) {
+// Whatever goes wrong becomes a message; the program goes on. True if time advanced.
+bool SimulationThread::carry_out(std::optional<Change> change, bool single_step) {
+    bool advanced = false;
     try {
-        if (change.from_start)
-            simulation_ = Simulation(change.scene);
+        if (change)
+            take_over(std::move(*change));
         else
+            advanced = advance(single_step);
+        publish();
+    } catch (const std::bad_alloc&) {
+        fail("not enough memory to go on with this flag; fewer columns or rows need less");
+    } catch (const std::exception& failure) {
+        fail(failure.what());
+    } catch (...) {
+        fail("the simulation failed for an unknown reason");
+    }
+    return advanced;
+}
+
+// A scene that is refused leaves the run as it was.
+void SimulationThread::take_over(Change change) {
+    try {
+        if (change.from_start) {
+            Simulation next(change.scene);
+            next.use_threads(threads_);
+            simulation_ = std::move(next);
+        } else {
             simulation_.change(change.scene);
-        now_.scene = change.scene;
-        now_.revision = change.revision;
-        now_.divergence.reset();
-        now_.refusal.clear();
-        now_.refused_revision = -1;
+        }
+    } catch (const std::bad_alloc&) {
+        now_.refusal = refusal_for_lack_of_memory(change.scene.flag);
+        now_.refused_revision = change.revision;
+        return;
     } catch (const std::exception& refused) {
         now_.refusal = refused.what();
         now_.refused_revision = change.revision;
+        return;
     }
+    now_.scene = std::move(change.scene);
+    now_.revision = change.revision;
+    now_.divergence.reset();
+    now_.refusal.clear();
+    now_.refused_revision = -1;
+    failed_ = false;
 }
 
 // False if it was abandoned for something that matters more.
 bool SimulationThread::advance(bool single_step) {
-    if (now_.divergence) return false;
+    if (now_.divergence || failed_) return false;
     const auto steps_before = simulation_.steps();
     const auto begin = std::chrono::steady_clock::now();
     now_.divergence = single_step ? simulation_.advance_steps(1) : simulation_.advance_batch(&abandon_);
@@ -135,8 +182,19 @@ void SimulationThread::publish() {
     now_.dt = simulation_.dt();
     now_.steps_per_batch = simulation_.steps_per_batch();
     now_.stability_limit = simulation_.stability_limit();
+    Moment moment = now_;
     const std::lock_guard lock(mutex_);
-    newest_ = now_;
+    newest_ = std::move(moment);
+    if (!failed_) failure_.clear();
+}
+
+// Takes no memory: what was reserved holds the beginning of any text.
+void SimulationThread::fail(std::string_view why) noexcept {
+    failed_ = true;
+    const std::lock_guard lock(mutex_);
+    failure_.assign(why.substr(0, longest_failure));
+    failed_revision_ = now_.revision;
+    failure_new_ = true;
 }
 
 }  // namespace drapeau

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 
 namespace drapeau {
@@ -26,11 +27,19 @@ struct Moment {
     std::optional<Divergence> divergence;  // the run stands until the scene changes or starts again
     std::string refusal;                   // why the last scene given was refused; empty if it was taken
     long long refused_revision = -1;
+    std::string failure;  // why the run stands for another reason than divergence, until a scene is taken
+    long long failed_revision = -1;
+
+    bool stands() const { return divergence || !failure.empty(); }
 };
+
+/// How many threads the simulation may use on so many processors (0: unknown): one is left to the picture.
+int simulation_threads(unsigned processors);
 
 class SimulationThread {
 public:
-    explicit SimulationThread(Simulation simulation);
+    /// `threads` may share a step, whatever the scene becomes.
+    explicit SimulationThread(Simulation simulation, int threads = 1);
     ~SimulationThread();
     SimulationThread(const SimulationThread&) = delete;
     SimulationThread& operator=(const SimulationThread&) = delete;
@@ -53,12 +62,16 @@ private:
 
     void ask_change(const Scene& scene, long long revision, bool from_start);
     void work();
-    void carry_out(const Change& change);
+    bool carry_out(std::optional<Change> change, bool single_step);
+    void take_over(Change change);
     bool advance(bool single_step);
     void publish();
+    void fail(std::string_view why) noexcept;
 
-    Simulation simulation_;  // only the thread touches it once it runs
+    int threads_;
+    Simulation simulation_;  // only the thread touches it and the next two once it runs
     Moment now_;
+    bool failed_ = false;
 
     mutable std::mutex mutex_;
     std::condition_variable wanted_, finished_;
@@ -69,6 +82,9 @@ private:
     bool ending_ = false;
     std::atomic<bool> abandon_{false};  // the batch under way is not worth finishing
     std::optional<Moment> newest_;
+    std::string failure_;  // told with whatever moment is at hand: there may be no memory for another
+    long long failed_revision_ = -1;
+    bool failure_new_ = false;  // not taken yet
 
     std::thread thread_;
 };

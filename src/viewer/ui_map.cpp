@@ -47,11 +47,10 @@ void UiMap::control(std::string_view label, float x0, float y0, float x1, float 
 void UiMap::write() {
     if (!wanted()) return;
     const std::string aside = file_ + ".new";
-    {
-        std::ofstream out(aside, std::ios::binary | std::ios::trunc);
-        out << text_;
-    }
-    std::rename(aside.c_str(), file_.c_str());
+    std::ofstream out(aside, std::ios::binary | std::ios::trunc);
+    out << text_;
+    out.close();
+    if (out) std::rename(aside.c_str(), file_.c_str());
     text_.clear();
 }
 

@@ -21,7 +21,7 @@
 //   scene            the scene's name
 //   time             simulated seconds
 //   steps            steps since the run began
-//   paused           1 while paused or stopped by a divergence
+//   paused           1 while paused, or stopped by a divergence or a failure
 //   diverged         1 while the run stands on its last good frame
 //   columns rows     of the masses drawn
 //   texture          path of the image on the flag, or nothing

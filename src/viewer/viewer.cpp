@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <thread>
 
 namespace drapeau {
 
@@ -76,7 +77,7 @@ Viewer::Viewer(const Options& options, LoadedScene loaded)
            options.frames > 0 ? 1.0f : pixels_per_unit(window_)),
       canvas_(options.frames > 0 ? options.width : window_.framebuffer_size().x,
               options.frames > 0 ? options.height : window_.framebuffer_size().y, samples),
-      simulation_(Simulation(loaded.scene)) {
+      simulation_(Simulation(loaded.scene), simulation_threads(std::thread::hardware_concurrency())) {
     if (!options.film.empty()) film_ = std::make_unique<Film>(options.film, options.width, options.height, 60);
     session_.scene_names = shipped_scenes();
     session_.texture_files = shipped_images();
@@ -91,6 +92,11 @@ Viewer::Viewer(const Options& options, LoadedScene loaded)
 
 bool Viewer::running() const {
     return window_.open() && !controls_.wants_to_quit() && (!repeatable() || frame_ < options_.frames);
+}
+
+int Viewer::exit_status() const {
+    if (!repeatable()) return 0;
+    return session_.status.divergence ? 3 : session_.status.failure.empty() ? 0 : 1;
 }
 
 glm::vec2 Viewer::size() const {
@@ -126,7 +132,7 @@ void Viewer::exchange() {
     if (session_.wishes.step && session_.paused) simulation_.ask_step();
     session_.wishes = {
         .screenshot = session_.wishes.screenshot, .load_scene = {}, .load_texture = {}, .save_scene = {}};
-    if (!session_.paused && !session_.status.divergence)
+    if (!session_.paused && !session_.status.stands())
         simulation_.ask_batches(repeatable() ? 1 : pace_.batches(passed, simulation_.backlog()));
     if (repeatable()) simulation_.wait();
     receive(passed);
@@ -188,34 +194,36 @@ void Viewer::set_image(const std::filesystem::path& file, const std::optional<Im
     session_.status.flag_proportions = image ? double(image->width) / double(image->height) : 0.0;
 }
 
+// A refused scene leaves the old one in place, on the panel too.
+void Viewer::hear_of_run() {
+    const auto answer = run_messages_.hear(moment_, revision_, session_.message);
+    if (answer == RunMessages::Answer::refused) {
+        opening_.reset();
+        Scene kept = moment_.scene;
+        kept.view = session_.scene.view;
+        kept.name = session_.scene.name;
+        kept.flag.texture = session_.scene.flag.texture;
+        session_.scene = sent_ = kept;
+    } else if (answer == RunMessages::Answer::taken && opening_) {
+        adopt(*opening_);
+        sent_ = session_.scene;
+        camera_.reset();
+        opening_.reset();
+    }
+    if (!moment_.failure.empty()) opening_.reset();
+}
+
 void Viewer::receive(double passed) {
     Status& status = session_.status;
-    const bool had_diverged = status.divergence.has_value();
     if (simulation_.take(moment_)) {
-        // A refused scene leaves the old one in place, on the panel too.
-        if (moment_.refused_revision == revision_) {
-            say(session_, moment_.refusal, true);
-            refusal_shown_ = true;
-            opening_.reset();
-            Scene kept = moment_.scene;
-            kept.view = session_.scene.view;
-            kept.name = session_.scene.name;
-            kept.flag.texture = session_.scene.flag.texture;
-            session_.scene = sent_ = kept;
-        } else if (moment_.revision == revision_) {
-            if (refusal_shown_) session_.message.text.clear();
-            refusal_shown_ = false;
-            if (opening_) {
-                adopt(*opening_);
-                sent_ = session_.scene;
-                camera_.reset();
-                opening_.reset();
-            }
-        }
+        hear_of_run();
         renderer_.upload(moment_.snapshot);
         force_scale_.follow(moment_.snapshot, moment_.scene);
+        if (repeatable() && moment_.stands() && !status.stands())
+            std::fprintf(stderr, "drapeau: %s\n", session_.message.text.c_str());
         status.readings = moment_.readings;
         status.divergence = moment_.divergence;
+        status.failure = moment_.failure;
         status.time = moment_.snapshot.time;
         status.steps = moment_.snapshot.steps;
         status.columns = moment_.snapshot.columns;
@@ -226,12 +234,7 @@ void Viewer::receive(double passed) {
         status.step_seconds = moment_.step_seconds;
         status.force_scale = force_scale_.newtons();
     }
-    if (status.divergence && !had_diverged) {
-        say(session_, status.divergence->message, true);
-        if (repeatable()) std::fprintf(stderr, "drapeau: %s\n", status.divergence->message.c_str());
-    }
-    if (!status.divergence && had_diverged) session_.message.text.clear();
-    if (session_.paused || status.divergence)
+    if (session_.paused || status.stands())
         pace_.forget();
     else
         pace_.observe(wall_, status.time);

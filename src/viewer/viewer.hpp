@@ -13,6 +13,7 @@
 #include "pace.hpp"
 #include "panels.hpp"
 #include "renderer.hpp"
+#include "run_messages.hpp"
 #include "session.hpp"
 #include "simulation_thread.hpp"
 #include "ui_map.hpp"
@@ -34,7 +35,7 @@ public:
     void panels();    // the interface upon it
     void present();   // to the window and to files
 
-    int exit_status() const { return session_.status.divergence && options_.frames > 0 ? 3 : 0; }
+    int exit_status() const;
 
 private:
     Viewer(const Options& options, LoadedScene loaded);
@@ -49,6 +50,7 @@ private:
     void adopt(const LoadedScene& loaded);
     void set_image(const std::filesystem::path& file, const std::optional<Image>& image);
     void receive(double wall_seconds);
+    void hear_of_run();
     void keep_proportions();
     void take_screenshot(const std::filesystem::path& file);
     void write_map();
@@ -74,7 +76,7 @@ private:
     Moment moment_;
     Scene sent_;              // the scene the simulation was last given
     long long revision_ = 0;  // of sent_
-    bool refusal_shown_ = false;
+    RunMessages run_messages_;
     std::optional<LoadedScene> opening_;  // until the simulation has taken it
 
     int frame_ = 0;

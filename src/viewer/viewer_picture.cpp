@@ -146,7 +146,7 @@ void Viewer::write_map() {
     map_.state("scene", session_.scene.name);
     map_.state("time", status.time);
     map_.state("steps", double(status.steps));
-    map_.state("paused", session_.paused || status.divergence ? "1" : "0");
+    map_.state("paused", session_.paused || status.stands() ? "1" : "0");
     map_.state("diverged", status.divergence ? "1" : "0");
     map_.state("columns", status.columns);
     map_.state("rows", status.rows);

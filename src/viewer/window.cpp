@@ -15,6 +15,46 @@ namespace {
 
 using Kind = InputEvent::Kind;
 
+Key key_of(int code) {
+    switch (code) {
+        case GLFW_KEY_SPACE:
+            return Key::space;
+        case GLFW_KEY_ESCAPE:
+            return Key::escape;
+        case GLFW_KEY_F1:
+            return Key::f1;
+        case GLFW_KEY_HOME:
+            return Key::home;
+        case GLFW_KEY_LEFT:
+            return Key::left;
+        case GLFW_KEY_RIGHT:
+            return Key::right;
+        case GLFW_KEY_UP:
+            return Key::up;
+        case GLFW_KEY_DOWN:
+            return Key::down;
+        case GLFW_KEY_KP_ADD:
+            return Key::keypad_add;
+        case GLFW_KEY_KP_SUBTRACT:
+            return Key::keypad_subtract;
+        default:
+            return Key::other;
+    }
+}
+
+MouseButton button_of(int code) {
+    switch (code) {
+        case GLFW_MOUSE_BUTTON_LEFT:
+            return MouseButton::left;
+        case GLFW_MOUSE_BUTTON_RIGHT:
+            return MouseButton::right;
+        case GLFW_MOUSE_BUTTON_MIDDLE:
+            return MouseButton::middle;
+        default:
+            return MouseButton::other;
+    }
+}
+
 InputEvent& queue(GLFWwindow* window, Kind kind) {
     auto& waiting = *static_cast<InputQueue*>(glfwGetWindowUserPointer(window));
     InputEvent& event = waiting.events.emplace_back();
@@ -24,21 +64,23 @@ InputEvent& queue(GLFWwindow* window, Kind kind) {
     return event;
 }
 
-void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers) {
+void on_key(GLFWwindow* window, int code, int scancode, int action, int modifiers) {
     if (action == GLFW_RELEASE) return;
-    const bool repeats = key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT || key == GLFW_KEY_UP || key == GLFW_KEY_DOWN;
+    const Key key = key_of(code);
+    const bool repeats = key == Key::left || key == Key::right || key == Key::up || key == Key::down;
     if (action == GLFW_REPEAT && !repeats) return;
     InputEvent& event = queue(window, Kind::key);
-    event.code = key;
-    event.modifiers = modifiers;
-    const char* name = glfwGetKeyName(key, scancode);
+    event.key = key;
+    event.code = code;
+    event.control = modifiers & GLFW_MOD_CONTROL;
+    const char* name = glfwGetKeyName(code, scancode);
     event.character = name ? name : "";
 }
 
 void on_button(GLFWwindow* window, int button, int action, int modifiers) {
     InputEvent& event = queue(window, action == GLFW_PRESS ? Kind::press : Kind::release);
-    event.code = button;
-    event.modifiers = modifiers;
+    event.button = button_of(button);
+    event.control = modifiers & GLFW_MOD_CONTROL;
 }
 
 void on_move(GLFWwindow* window, double x, double y) {

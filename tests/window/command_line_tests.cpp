@@ -123,3 +123,17 @@ TEST_CASE("a picture without panels shows the flag's colours, blue at the pole a
     CHECK(middle.red > 120);
     CHECK(right.red > right.blue + 60);
 }
+
+TEST_CASE("a film that cannot be made leaves the file of that name as it was, and one line says why") {
+    const Screen screen;
+    const TemporaryFolder folder;
+    const std::string file = written(folder, "film.no-such-format", "what was here");
+    const Finished answer =
+        drapeau_run({"report", "--frames", "3", "--size", "320x240", "--film", file}, screen.surroundings());
+    CAPTURE(answer.errors);
+    CHECK(answer.status == 2);
+    CHECK(is_one_line(answer.errors));
+    CHECK(answer.errors.find("film.no-such-format: ffmpeg could not make it: ") != std::string::npos);
+    CHECK(read_text(file) == "what was here");
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+}

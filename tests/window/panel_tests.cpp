@@ -189,3 +189,36 @@ TEST_CASE("a run that comes apart stops on its last good frame and names a step 
     });
     app.check_healthy();
 }
+
+TEST_CASE("a refusal is told once: closed while the flag plays it stays closed, and a later message takes its place") {
+    const Screen screen;
+    const TemporaryFolder folder;
+    App app(screen, {"report", "--size", "900x640"});
+    const auto after_a_while = [&app] {
+        const double now = app.look().number("time");
+        return app.wait_until("time to pass", [now](const Look& look) { return look.number("time") > now + 0.3; });
+    };
+    app.click("Page: Springs");
+    app.show("Air drag on");
+    for (int time = 0; time < 2; ++time) {
+        // Wind needs drag to be felt by.
+        app.click("Air drag on");
+        const Look refused =
+            app.wait_until("the refusal", [](const Look& look) { return !look.text("message").empty(); });
+        CHECK(refused.text("message").find("drag") != std::string::npos);
+        CHECK(after_a_while().text("message") == refused.text("message"));
+        CHECK(app.look().controls.at("Air drag on").value == "1");
+        if (time > 0) break;
+        app.click("Close");
+        CHECK(after_a_while().text("message").empty());
+    }
+
+    app.click("Page: Time");
+    app.show("Save as");
+    app.type("Save as", folder / "kept.toml");
+    app.wait_until("the scene to be saved",
+                   [](const Look& look) { return look.text("message").starts_with("Saved "); });
+    CHECK(after_a_while().text("message").starts_with("Saved "));
+    CHECK(std::filesystem::exists(folder / "kept.toml"));
+    app.check_healthy();
+}

@@ -1,0 +1,46 @@
+#include "run_messages.hpp"
+
+namespace drapeau {
+
+namespace {
+
+using Cause = Message::Cause;
+
+void close_if(Message& message, Cause cause) {
+    if (message.cause == cause) message.text.clear();
+}
+
+}  // namespace
+
+RunMessages::Answer RunMessages::hear(const Moment& moment, long long wanted, Message& message) {
+    hear_standstill(moment, message);
+    if (moment.refused_revision > refused_) {
+        refused_ = moment.refused_revision;
+        if (refused_ != wanted) return Answer::none;
+        message = {.text = moment.refusal, .cause = Cause::refusal};
+        return Answer::refused;
+    }
+    if (moment.revision > taken_) {
+        taken_ = moment.revision;
+        if (taken_ != wanted) return Answer::none;
+        close_if(message, Cause::refusal);
+        return Answer::taken;
+    }
+    return Answer::none;
+}
+
+void RunMessages::hear_standstill(const Moment& moment, Message& message) {
+    if (!moment.stands()) {
+        if (stands_ >= 0) close_if(message, Cause::standstill);
+        stands_ = -1;
+        return;
+    }
+    const std::string& why = moment.divergence ? moment.divergence->message : moment.failure;
+    const long long revision = moment.divergence ? moment.revision : moment.failed_revision;
+    if (stands_ == revision && told_ == why) return;
+    stands_ = revision;
+    told_ = why;
+    message = {.text = why, .cause = Cause::standstill};
+}
+
+}  // namespace drapeau

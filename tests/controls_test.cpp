@@ -1,0 +1,158 @@
+// Controls: what mouse and keys do, and that a drag which begins on a panel stays with the panel.
+#include "catch.hpp"
+
+#include "viewer/controls.hpp"
+
+using namespace drapeau;
+
+namespace {
+
+using Kind = InputEvent::Kind;
+
+struct Desk {
+    Session session;
+    Camera camera;
+    Controls controls;
+    Framing framing;
+    Claims claims;
+
+    Desk() {
+        session.view_area = {0.0f, 0.0f, 800.0f, 600.0f};
+        session.claimed = {{0.0f, 0.0f, 100.0f, 600.0f}};
+    }
+    void happen(const std::vector<InputEvent>& events) { controls.apply(events, claims, framing, session, camera); }
+    void key(Key key) { happen({{.kind = Kind::key, .key = key}}); }
+    void type(const std::string& character, bool control = false) {
+        happen({{.kind = Kind::key, .control = control, .character = character}});
+    }
+    void drag(glm::vec2 from, glm::vec2 to, MouseButton button, double time = 0.0) {
+        happen({{.kind = Kind::press, .button = button, .time = time, .at = from},
+                {.kind = Kind::move, .at = to},
+                {.kind = Kind::release, .button = button, .at = to},
+                {.kind = Kind::move, .at = from}});
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a left drag turns by its whole length, a right one slides, and neither goes on after the button is up") {
+    Desk turned, slid;
+    turned.drag({400.0f, 300.0f}, {440.0f, 310.0f}, MouseButton::left);
+    Camera expected;
+    expected.turn({40.0f, 10.0f});
+    CHECK(turned.camera.azimuth == expected.azimuth);
+    CHECK(turned.camera.elevation == expected.elevation);
+    CHECK(turned.camera.pan == glm::vec3(0.0f));
+
+    slid.drag({400.0f, 300.0f}, {440.0f, 310.0f}, MouseButton::right);
+    expected = {};
+    expected.slide({40.0f, 10.0f}, slid.framing, slid.session.view_area);
+    CHECK(slid.camera.pan == expected.pan);
+    CHECK(slid.camera.pan != glm::vec3(0.0f));
+    CHECK(slid.camera.azimuth == Camera::default_azimuth);
+}
+
+TEST_CASE("a drag or a wheel on a panel does not reach the flag, one that ends there does") {
+    Desk desk;
+    desk.drag({50.0f, 300.0f}, {400.0f, 300.0f}, MouseButton::left);
+    desk.happen({{.kind = Kind::scroll, .at = {50.0f, 300.0f}, .amount = 3.0f}});
+    CHECK(desk.camera.azimuth == Camera::default_azimuth);
+    CHECK(desk.camera.zoom == 1.0f);
+
+    desk.claims.mouse = true;
+    desk.drag({300.0f, 300.0f}, {400.0f, 300.0f}, MouseButton::left);
+    CHECK(desk.camera.azimuth == Camera::default_azimuth);
+
+    desk.claims.mouse = false;
+    desk.drag({400.0f, 300.0f}, {50.0f, 300.0f}, MouseButton::left);
+    CHECK(desk.camera.azimuth != Camera::default_azimuth);
+}
+
+TEST_CASE("two clicks close in time and place reset the camera, others do not") {
+    const auto reset_after = [](double seconds, glm::vec2 second) {
+        Desk desk;
+        desk.drag({400.0f, 300.0f}, {400.0f, 300.0f}, MouseButton::left, 1.0);
+        CHECK(!desk.session.wishes.reset_camera);
+        desk.drag(second, second, MouseButton::left, 1.0 + seconds);
+        return desk.session.wishes.reset_camera;
+    };
+    CHECK(reset_after(0.2, {401.0f, 300.0f}));
+    CHECK(!reset_after(1.0, {401.0f, 300.0f}));
+    CHECK(!reset_after(0.2, {450.0f, 300.0f}));
+}
+
+TEST_CASE("every key does one thing, and pressed again undoes it where it is a switch") {
+    Desk desk;
+    const Session before = desk.session;
+    ViewSettings& view = desk.session.scene.view;
+    const auto switches = [&](const std::string& key, bool& value) {
+        CAPTURE(key);
+        const bool was = value;
+        desk.type(key);
+        CHECK(value == !was);
+        desk.type(key);
+        CHECK(value == was);
+    };
+    switches("t", view.texture);
+    switches("s", view.springs);
+    switches("f", view.forces);
+    switches("m", view.masses);
+    switches("c", view.cloth);
+    switches("h", desk.session.panel_shown);
+    CHECK(desk.session.scene == before.scene);
+
+    desk.key(Key::space);
+    CHECK(desk.session.paused);
+    desk.type("r");
+    CHECK(desk.session.wishes.restart);
+    desk.type(".");
+    CHECK(desk.session.wishes.step);
+    desk.type("p");
+    CHECK(desk.session.wishes.screenshot);
+    desk.key(Key::home);
+    CHECK(desk.session.wishes.reset_camera);
+    desk.type("q");
+    CHECK(!desk.controls.wants_to_quit());
+    desk.type("q", true);
+    CHECK(desk.controls.wants_to_quit());
+}
+
+TEST_CASE("diagonal springs come back as stiff as they were") {
+    Desk desk;
+    desk.session.scene.springs.diagonal_stiffness = 12.5;
+    desk.type("d");
+    CHECK(!desk.session.scene.springs.diagonal_stiffness);
+    desk.type("d");
+    CHECK(desk.session.scene.springs.diagonal_stiffness == 12.5);
+}
+
+TEST_CASE("keys are text while a text is typed, and shortcuts with control do nothing else") {
+    Desk desk;
+    desk.claims.keyboard = true;
+    desk.type("r");
+    desk.key(Key::space);
+    CHECK(!desk.session.wishes.restart);
+    CHECK(!desk.session.paused);
+    desk.claims.keyboard = false;
+    desk.type("r", true);
+    CHECK(!desk.session.wishes.restart);
+}
+
+TEST_CASE("Escape closes the list of keys first, then the message") {
+    Desk desk;
+    say(desk.session, "anything", true);
+    desk.key(Key::f1);
+    CHECK(desk.session.help_shown);
+    desk.key(Key::escape);
+    CHECK(!desk.session.help_shown);
+    CHECK(desk.session.message.text == "anything");
+    desk.key(Key::escape);
+    CHECK(desk.session.message.text.empty());
+}
+
+TEST_CASE("a dropped scene file is a scene, any other an image") {
+    Desk desk;
+    desk.happen({{.kind = Kind::drop, .file = "/tmp/a flag.toml"}, {.kind = Kind::drop, .file = "/tmp/flag.png"}});
+    CHECK(desk.session.wishes.load_scene == "/tmp/a flag.toml");
+    CHECK(desk.session.wishes.load_texture == "/tmp/flag.png");
+}
