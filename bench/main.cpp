@@ -155,7 +155,7 @@ int main(int count, char** arguments) {
             ->type_name("PROGRAM")
             ->check(CLI::ExistingFile);
     app.add_option("--pairs", options.against.pairs,
-                   "Runs of each program with --against; more narrow the intervals (11)")
+                   "Runs of each program with --against (11); 20 give narrower intervals where the machine is busy")
         ->check(CLI::Range(fewest_draws, 10000))
         ->needs(against);
     smoke->excludes(json)->excludes(budget)->excludes(peers)->excludes(compare);
