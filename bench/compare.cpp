@@ -11,38 +11,36 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <vector>
 
 namespace drapeau::bench {
 namespace {
 
-struct Minimum {
-    std::string name;
-    double ns;
-};
-
-std::vector<Minimum> minima_in(const std::string& file) {
+std::vector<Minimum> minima_in_file(const std::string& file) {
     if (std::filesystem::is_directory(file)) throw InputError(file + " is a folder, not a file of this benchmark");
     std::ifstream stream(file);
     if (!stream) throw InputError(file + " cannot be read: " + std::strerror(errno));
-    std::vector<Minimum> minima;
-    try {
-        const auto results = nlohmann::json::parse(stream);
-        for (const auto& c : results.at("cases")) {
-            const double ns = c.at("ns_per_mass_step").at("min").get<double>();
-            if (!(std::isfinite(ns) && ns > 0.0)) throw InputError(file + ": a time is not above zero");
-            minima.push_back({c.at("name").get<std::string>(), ns});
-        }
-    } catch (const nlohmann::json::exception&) {
-        throw InputError(file + " is not a result of this benchmark (JSON with an array \"cases\")");
-    }
-    return minima;
+    return minima_in(stream, file);
 }
 
 }  // namespace
 
+std::vector<Minimum> minima_in(std::istream& results, const std::string& source) {
+    std::vector<Minimum> minima;
+    try {
+        const auto parsed = nlohmann::json::parse(results);
+        for (const auto& c : parsed.at("cases")) {
+            const double ns = c.at("ns_per_mass_step").at("min").get<double>();
+            if (!(std::isfinite(ns) && ns > 0.0)) throw InputError(source + ": a time is not above zero");
+            minima.push_back({c.at("name").get<std::string>(), ns});
+        }
+    } catch (const nlohmann::json::exception&) {
+        throw InputError(source + " is not a result of this benchmark (JSON with an array \"cases\")");
+    }
+    return minima;
+}
+
 void compare_files(const std::string& file_a, const std::string& file_b) {
-    const auto a = minima_in(file_a), b = minima_in(file_b);
+    const auto a = minima_in_file(file_a), b = minima_in_file(file_b);
     int both = 0;
     double logarithms = 0.0;
     std::printf("%-64s  %9s  %9s  %6s\n", "case (minima, ns a mass and step)", "A", "B", "B / A");

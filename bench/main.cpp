@@ -1,7 +1,9 @@
 // The benchmark's command line. Google Benchmark keeps the list of cases, filters it and runs it; what a case measures
 // is this project's own (timing.hpp), because a noisy machine asks for the state restored and rivals taken in turns.
+#include "against.hpp"
 #include "compare.hpp"
 #include "measure.hpp"
+#include "median_interval.hpp"
 #include "peers.hpp"
 
 #include "error.hpp"
@@ -27,6 +29,7 @@ struct Options {
     double budget = 0.4;  // s a case, and as much for each of its rivals
     bool smoke = false, peers = false;
     std::vector<std::string> compare;
+    AgainstOptions against;
 };
 
 /// What a run gathers: the cases register a job that fills it.
@@ -80,6 +83,10 @@ std::ofstream opened(const std::string& file) {
     std::ofstream stream(file);
     if (!stream) throw InputError("--json " + file + " cannot be written: " + std::strerror(errno));
     return stream;
+}
+
+InputError of_no_use(const std::string& extra) {
+    return InputError("there is no use for " + one_line(in_quotes(extra), 60) + " here (--help says more)");
 }
 
 int run_cases(const Options& options, std::vector<std::string> extras) {
@@ -141,9 +148,20 @@ int main(int count, char** arguments) {
     auto* compare = app.add_option("--compare", options.compare, "Compare two files of results")
                         ->expected(2)
                         ->type_name("A.json B.json");
+    auto* against =
+        app.add_option("--against", options.against.other,
+                       "Compare with another build of this program, run in turns with it: the ratio of "
+                       "their times per case and its 95 % interval. --budget is then 0.05 s, where not given")
+            ->type_name("PROGRAM")
+            ->check(CLI::ExistingFile);
+    app.add_option("--pairs", options.against.pairs,
+                   "Runs of each program with --against (11); 20 give narrower intervals where the machine is busy")
+        ->check(CLI::Range(fewest_draws, 10000))
+        ->needs(against);
     smoke->excludes(json)->excludes(budget)->excludes(peers)->excludes(compare);
     compare->excludes(json)->excludes(budget)->excludes(peers);
     peers->excludes(json)->excludes(budget);
+    against->excludes(json)->excludes(smoke)->excludes(peers)->excludes(compare);
 
     const auto complain = [](const std::string& message) {
         std::fprintf(stderr, "drapeau-bench: %s\n", message.c_str());
@@ -153,8 +171,17 @@ int main(int count, char** arguments) {
         app.parse(count, arguments);
         const auto extras = app.remaining();
         for (const auto& extra : extras)
-            if (!extra.starts_with("--benchmark_") || options.peers || !options.compare.empty())
-                throw InputError("there is no use for " + one_line(in_quotes(extra), 60) + " here (--help says more)");
+            if (!extra.starts_with("--benchmark_") || options.peers || !options.compare.empty()) throw of_no_use(extra);
+        if (against->count() > 0) {
+            constexpr std::string_view filter = "--benchmark_filter=";
+            for (const auto& extra : extras) {
+                if (!extra.starts_with(filter)) throw of_no_use(extra);
+                options.against.filter = extra.substr(filter.size());
+            }
+            if (budget->count() > 0) options.against.budget = options.budget;
+            run_against(options.against);
+            return 0;
+        }
         if (!options.compare.empty()) {
             compare_files(options.compare[0], options.compare[1]);
             return 0;
