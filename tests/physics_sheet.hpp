@@ -183,6 +183,8 @@ public:
           waiting_(constants_.width()),
           acceleration_(model.grid.columns, 1) {}
 
+    Rows(const Rows&) = delete;  // its passes point into it
+
     /// The rows first <= j < last at time t (s). Terms that push masses are asked for every row.
     Pass<Real> pass(int first, int last, double dt, double t) {
         Pass<Real> p{};
@@ -200,6 +202,7 @@ public:
         p.out = out.view();
         return p;
     }
+    Rows copy() const { return {model_, fields}; }
     Pass<Real> whole(double dt = 0.0, double t = 0.0) { return pass(0, model_.grid.rows, dt, t); }
 
     std::vector<FieldBuffer<Real>> fields;
