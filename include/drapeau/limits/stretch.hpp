@@ -86,7 +86,7 @@ private:
                 const auto n = row * x.stride + i;
                 const auto d = difference(x, n, n + dj * x.stride + di);
                 const double share = std::sqrt(static_cast<double>(dot(d, d))) / rest - 1.0;
-                if (!(share <= most)) most = share;  // a NaN stays
+                if (!(share <= most) && !std::isnan(most)) most = share;  // a NaN stays
             });
         return most;
     }
