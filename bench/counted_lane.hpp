@@ -9,8 +9,11 @@
 namespace drapeau::bench {
 
 struct Counts {
-    double multiplications = 0, additions = 0, others = 0;  // others: the bits of the root's guess, selections
-    double loads = 0, stores = 0;                           // of one Real each
+    double multiplications = 0, additions = 0, divisions = 0;
+    double others = 0;             // the bits of the root's guess, selections
+    double loads = 0, stores = 0;  // of one Real each
+    double watched_loads = 0;      // of those between the addresses below
+    const void *watched_from = nullptr, *watched_to = nullptr;
 
     static Counts& now() {
         static Counts counts;
@@ -36,6 +39,7 @@ struct CountedLane {
     friend CountedLane operator*(CountedLane a, CountedLane b) {
         return ++Counts::now().multiplications, a.value * b.value;
     }
+    friend CountedLane operator/(CountedLane a, CountedLane b) { return ++Counts::now().divisions, a.value / b.value; }
     CountedLane operator-() const { return ++Counts::now().additions, -value; }
 };
 
@@ -49,10 +53,16 @@ struct Lanes<bench::CountedLane<Scalar>> {
     using V = bench::CountedLane<Scalar>;
     static constexpr int width = 1;
 
-    static V load(const Real* from) { return ++bench::Counts::now().loads, V(*from); }
+    static V load(const Real* from) {
+        auto& counts = bench::Counts::now();
+        ++counts.loads;
+        if (from >= counts.watched_from && from < counts.watched_to) ++counts.watched_loads;
+        return V(*from);
+    }
     static void store(Real* to, V value) { ++bench::Counts::now().stores, *to = value.value; }
     static V broadcast(Real value) { return value; }
     static V where_positive(V where, V value) { return ++bench::Counts::now().others, where.value > 0 ? value : V(); }
+    static V greater(V a, V b) { return ++bench::Counts::now().others, b.value > a.value ? b : a; }
     static V shifted(V left, V) { return ++bench::Counts::now().others, left; }
 };
 

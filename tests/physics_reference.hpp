@@ -46,6 +46,7 @@ inline double last_where(double low, double high, const std::function<bool(doubl
     return low;
 }
 
+/// Masses and springs all alike, or those of cloth whose borders are as light as what they stand for.
 class Reference {
 public:
     struct Spring {
@@ -53,23 +54,40 @@ public:
         double k, rest, c;
     };
 
-    explicit Reference(const Setting& setting) : setting_(setting) {
-        const Grid& grid = setting.grid;
-        for (int a = 0; a < setting.masses(); ++a)
-            for (int b = a + 1; b < setting.masses(); ++b) {
+    explicit Reference(const Model& model, Borders borders = Borders::alike) : model_(model), count_(masses_of(model)) {
+        const Grid& grid = model.grid;
+        const bool light = borders == Borders::light;
+        const auto on_side = [&](int n) {
+            return light && grid.columns > 1 && (n % grid.columns == 0 || n % grid.columns == grid.columns - 1);
+        };
+        const auto on_end = [&](int n) {
+            return light && grid.rows > 1 && (n / grid.columns == 0 || n / grid.columns == grid.rows - 1);
+        };
+        for (int n = 0; n < count_; ++n) shares_.push_back((on_side(n) ? 0.5 : 1.0) * (on_end(n) ? 0.5 : 1.0));
+        for (int a = 0; a < count_; ++a)
+            for (int b = a + 1; b < count_; ++b) {
                 const int across = std::abs(b % grid.columns - a % grid.columns);
                 const int down = b / grid.columns - a / grid.columns;
                 const double rest = std::sqrt(across * across * grid.pitch_x * grid.pitch_x +
                                               down * down * grid.pitch_y * grid.pitch_y);
-                const double c = setting.material.damping.value_or(0.0);
+                const double c = model.springs.damping.value_or(0.0);
+                // A border's own springs stand for half as wide a strip of cloth as those inside.
+                const bool along_border =
+                    (on_side(a) && on_side(b) && across == 0) || (on_end(a) && on_end(b) && down == 0);
+                const double share = along_border ? 0.5 : 1.0;
                 if (across + down == 1)
-                    springs_.push_back({a, b, setting.material.stiffness, rest, c});
-                else if (across == 1 && down == 1 && setting.material.diagonal_stiffness)
-                    springs_.push_back({a, b, *setting.material.diagonal_stiffness, rest, c});
+                    springs_.push_back({a, b, share * model.springs.stiffness, rest, share * c});
+                else if (across == 1 && down == 1 && model.springs.diagonal_stiffness)
+                    springs_.push_back({a, b, *model.springs.diagonal_stiffness, rest, c});
             }
+        if (const auto& term = model.terms.get<Gravity>()) gravity_ = term->acceleration;
+        if (const auto& term = model.terms.get<AirDrag>()) drag_ = term->d;
+        if (const auto& term = model.terms.get<Friction>()) friction_ = term->c_f;
+        if (const auto& term = model.terms.get<Wind>()) wind_ = *term;
     }
 
     const std::vector<Spring>& springs() const { return springs_; }
+    double mass(int n) const { return shares_[n] * model_.springs.mass; }
 
     /// Force of the springs on every mass (N). If `sizes` is given: the sum of the magnitudes k l + k L + |c v| that
     /// met at each mass, what rounding errors are measured against.
@@ -90,14 +108,26 @@ public:
         return f;
     }
 
+    /// What the springs hold (J).
+    double elastic_energy(const Points& x) const {
+        double sum = 0.0;
+        for (const auto& s : springs_) sum += 0.5 * s.k * std::pow(length(x[s.b] - x[s.a]) - s.rest, 2);
+        return sum;
+    }
+    /// The springs' greatest stretch (share).
+    double max_stretch(const Points& x) const {
+        double most = -1.0;
+        for (const auto& s : springs_) most = std::max(most, length(x[s.b] - x[s.a]) / s.rest - 1.0);
+        return most;
+    }
+
     /// Acceleration of every mass at time t (s); none where attached.
     Points acceleration(const Points& x, const Points& v, double t) const {
-        const double m = setting_.material.mass;
-        const auto wind = setting_.wind.velocity(t);
         Points a = forces(x, v);
-        for (int n = 0; n < setting_.masses(); ++n) {
-            a[n] = setting_.gravity + (a[n] + setting_.drag * (wind - v[n]) - setting_.friction * v[n]) / m;
-            if (setting_.held(n)) a[n] = glm::dvec3(0.0);
+        for (int n = 0; n < count_; ++n) {
+            const auto wind = wind_.at(t, model_.grid.rest(n % model_.grid.columns, n / model_.grid.columns));
+            a[n] = gravity_ + (a[n] + shares_[n] * (drag_ * (wind - v[n]) - friction_ * v[n])) / mass(n);
+            if (is_held(model_, n)) a[n] = glm::dvec3(0.0);
         }
         return a;
     }
@@ -122,16 +152,17 @@ public:
         }
     }
 
-    /// s_M M + s_K K + s_C C over the free masses at the configuration x: K the springs' Hessian
-    /// k [e e^T + (1 - L/l) (I - e e^T)], C their dampers c e e^T with drag and friction on the diagonal.
-    Matrix combined(const Points& x, double s_M, double s_K, double s_C) const {
+    /// s_M M + s_K K + s_C C + s_D D over the free masses at the configuration x: K the springs' Hessian
+    /// k [e e^T + (1 - L/l) (I - e e^T)], C their dampers c e e^T, D drag and friction.
+    Matrix combined(const Points& x, double s_M, double s_K, double s_C, double s_D) const {
         std::vector<int> free(x.size(), -1);
         int count = 0;
-        for (int n = 0; n < setting_.masses(); ++n)
-            if (!setting_.held(n)) free[n] = count++;
+        for (int n = 0; n < count_; ++n)
+            if (!is_held(model_, n)) free[n] = count++;
         Matrix sum(3 * count);
-        const double own = s_M * setting_.material.mass + s_C * (setting_.drag + setting_.friction);
-        for (int n = 0; n < 3 * count; ++n) sum.at(n, n) = own;
+        for (int n = 0; n < count_; ++n)
+            for (int p = 0; p < 3 && free[n] >= 0; ++p)
+                sum.at(3 * free[n] + p, 3 * free[n] + p) = s_M * mass(n) + s_D * shares_[n] * (drag_ + friction_);
         for (const auto& s : springs_) {
             const auto d = x[s.b] - x[s.a];
             const double l = length(d);
@@ -149,19 +180,23 @@ public:
         return sum;
     }
 
-    /// Largest eigenvalue (N/m) of K at x.
-    double greatest_eigenvalue(const Points& x) const {
+    /// Largest eigenvalue (1/s2) of M^-1 K at x.
+    double max_eigenvalue(const Points& x) const {
         double high = 0.0;
-        for (const auto& s : springs_) high += 4.0 * s.k;
-        const double m = setting_.material.mass;
-        return last_where(0.0, high, [&](double shift) {  // shift I - K is definite only above it
-            return !combined(x, shift / m, -1.0, 0.0).is_positive_definite();
+        for (const auto& s : springs_) high += 4.0 * s.k / std::min(mass(s.a), mass(s.b));
+        return last_where(0.0, high, [&](double shift) {  // shift M - K is definite only above it
+            return !combined(x, shift, -1.0, 0.0, 0.0).is_positive_definite();
         });
     }
 
 private:
-    Setting setting_;
+    Model model_;
+    int count_;
+    std::vector<double> shares_;  // of the mass and the drag
     std::vector<Spring> springs_;
+    glm::dvec3 gravity_{0.0};
+    double drag_ = 0.0, friction_ = 0.0;
+    Wind wind_;
 };
 
 }  // namespace drapeau::testing

@@ -1,14 +1,10 @@
-// Sheet: a cloth with its terms chosen at run time, moved by the core's sweep: what the physics tests run.
-// Everything these tests ask of the core's kernels goes through this file.
+// Sheet: a model moved by one method in one precision, as its programs move it: what the physics tests run. The model
+// is the only description of a setting; which kernels it needs is chosen from it at run time.
 #pragma once
 
-#include "drapeau/advance.hpp"
-#include "drapeau/energy.hpp"
-#include "drapeau/forces.hpp"
-#include "drapeau/methods/forward_euler.hpp"
-#include "drapeau/methods/semi_implicit_euler.hpp"
-#include "drapeau/stability.hpp"
+#include "drapeau/drapeau.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -22,25 +18,18 @@ namespace drapeau::testing {
 
 using Points = std::vector<glm::dvec3>;  // one value per mass, row by row
 
-/// A cloth and all that acts on it.
-struct Setting {
-    Grid grid{};
-    Attach attach = Attach::none;
-    Material material{};
-    glm::dvec3 gravity{0.0};
-    double drag = 0.0, friction = 0.0;
-    Wind wind{};
-
-    int masses() const { return static_cast<int>(grid.masses()); }
-    bool held(int n) const { return is_attached(attach, grid, n % grid.columns, n / grid.columns); }
-    Rates rates() const { return Rates::of(grid, material, drag, friction); }
-};
+inline int masses_of(const Model& model) {
+    return static_cast<int>(model.grid.masses());
+}
+inline bool is_held(const Model& model, int n) {
+    return model.held(n % model.grid.columns, n / model.grid.columns);
+}
 
 /// Grids that matter to a sweep in registers: the smallest, widths just below, at and above whole registers.
 inline const std::pair<int, int> awkward_sizes[] = {{2, 2}, {3, 2}, {5, 4}, {16, 3}, {17, 5}, {33, 7}};
 
 /// With and without diagonals, with and without damping.
-inline std::vector<Material> all_materials(double mass, double k, double kd, double c) {
+inline std::vector<Springs> all_springs(double mass, double k, double kd, double c) {
     return {{mass, k, {}, {}}, {mass, k, kd, {}}, {mass, k, {}, c}, {mass, k, kd, c}};
 }
 
@@ -60,6 +49,9 @@ inline Points noise(int masses, double size, std::uint64_t seed = 11) {
     for (int n = 0; n < masses; ++n)
         v.push_back(size * glm::dvec3{random_at(seed, 3, n), random_at(seed, 4, n), random_at(seed, 5, n)});
     return v;
+}
+inline Points at_rest(const Model& model) {
+    return Points(static_cast<std::size_t>(masses_of(model)), glm::dvec3(0.0));
 }
 
 inline double dot(const glm::dvec3& a, const glm::dvec3& b) {
@@ -90,102 +82,151 @@ inline double root_mean_square(const Points& a) {
 template <class Real>
 constexpr double epsilon = std::numeric_limits<Real>::epsilon();
 
-/// The core at work: Method and precision fixed, terms as the setting says, V masses at a time.
+template <class Real>
+Points points_of(const FieldBuffer<Real>& field) {
+    Points all;
+    for (int j = 0; j < field.rows(); ++j)
+        for (int i = 0; i < field.columns(); ++i) all.push_back(field.at(i, j));
+    return all;
+}
+template <class Real>
+void set_points(FieldBuffer<Real>& field, const Points& points) {
+    for (int n = 0; n < static_cast<int>(points.size()); ++n)
+        field.set(n % field.columns(), n / field.columns(), points[static_cast<std::size_t>(n)]);
+}
+inline State<double> state_of(const Grid& grid, const Points& x, const Points& v) {
+    State<double> state(grid.columns, grid.rows);
+    set_points(state.position, x), set_points(state.velocity, v);
+    return state;
+}
+
+/// A method's kernels in registers of V for what the model lists.
+template <class V, class Method>
+Kernels<typename Lanes<V>::Real> kernels_for(const Model& model) {
+    if (model.is_damped())
+        return model.has_diagonals() ? kernels_of<V, Method, true, true, true>()
+                                     : kernels_of<V, Method, true, false, true>();
+    return model.has_diagonals() ? kernels_of<V, Method, false, true, true>()
+                                 : kernels_of<V, Method, false, false, true>();
+}
+
+/// A model at work: method and precision fixed, V masses at a time.
 template <class Real, class Method, class V = Vector<Real>>
 class Sheet {
 public:
-    explicit Sheet(const Setting& s) : setting(s), cloth(s.grid), fabric(s.grid, s.attach, s.material) {
-        for (int n = 0; n < 2; ++n) buffers.emplace_back(cloth.width());
-        set(scattered(s.grid, 0.0), Points(static_cast<std::size_t>(s.masses()), glm::dvec3(0.0)));
-    }
-    Sheet(const Setting& s, const Points& x, const Points& v) : Sheet(s) { set(x, v); }
+    explicit Sheet(const Model& model) : stepper(model, kernels_for<V, Method>(model)) {}
+    Sheet(const Model& model, const Points& x, const Points& v) : Sheet(model) { set(x, v); }
 
-    void set(const Points& x, const Points& v) {
-        for (int n = 0; n < setting.masses(); ++n) {
-            const int i = n % setting.grid.columns, j = n / setting.grid.columns;
-            cloth.set_position(i, j, x[n]);
-            cloth.set_velocity(i, j, setting.held(n) ? glm::dvec3(0.0) : v[n]);
+    const Model& model() const { return stepper.model(); }
+
+    /// Position and velocity at the same time.
+    void set(const Points& x, const Points& v) { stepper.set(state_of(model().grid, x, v)); }
+    Points positions() const { return points_of(stepper.position()); }
+    Points velocities() { return points_of(stepper.state(time()).velocity); }
+    Points stored_velocities() const { return points_of(stepper.velocity()); }
+
+    double time() const { return clock.at(steps); }
+    Measurement measure() { return stepper.measure(time()); }
+
+    /// `count` steps of dt (s), of which the one with the number `accounted` tells its work.
+    Report advance(double dt, long long count, long long accounted = no_step) {
+        if (dt != clock.dt) {
+            stepper.synchronise(time());
+            clock = {time(), steps, dt};
         }
+        const long long from = steps;
+        steps += count;
+        return stepper.advance(clock, from, steps, accounted);
+    }
+    /// One step of dt and what it tells of its work.
+    Report accounted_step(double dt) { return advance(dt, 1, steps); }
+
+    typename Stepper<Real>::Checkpoint checkpoint() const {
+        typename Stepper<Real>::Checkpoint now;
+        stepper.save(now);
+        return now;
     }
 
-    Points positions() const {
-        return collect([&](int i, int j) { return cloth.position(i, j); });
-    }
-    Points velocities() const {
-        return collect([&](int i, int j) { return cloth.velocity(i, j); });
-    }
-    Energy energy() const { return measure(cloth, setting.material); }
-    double time() const { return time_; }
-
-    /// `count` steps of dt (s).
-    void advance(double dt, long long count) {
-        const double start = time_;
-        for (long long n = 0; n < count; ++n) {
-            const auto uniform = uniform_at(start + static_cast<double>(n) * dt);
-            composed([&](auto pair, auto diagonals) {
-                advance_cloth<V, decltype(pair), decltype(diagonals)::value, Method>(
-                    cloth.view(), fabric.view(), uniform, static_cast<Real>(dt), buffers[0]);
-            });
-        }
-        time_ = start + static_cast<double>(count) * dt;
-    }
-
-    /// What the springs pull on every mass (N).
-    Points forces() {
-        Cloth<Real> force(setting.grid);
-        composed([&](auto pair, auto diagonals) {
-            spring_forces<V, decltype(pair), decltype(diagonals)::value>(
-                cloth.view(), fabric.view(),
-                ForceRow<Real>{force.component(0).data(), force.component(1).data(), force.component(2).data()},
-                buffers[0]);
-        });
-        return collect([&](int i, int j) { return force.position(i, j); });
-    }
-
-    Uniform<Real, true, true> uniform_at(double t) const {
-        return fold<Real>(setting.material.mass, t, Gravity{setting.gravity}, AirDrag{setting.drag},
-                          Friction{setting.friction}, UniformWind{setting.wind});
-    }
-
-    /// Calls run(Pair, diagonals) with the types of this setting's composition.
-    template <class Run>
-    void composed(Run&& run) const {
-        const bool diagonals = setting.material.diagonal_stiffness.has_value();
-        if (setting.material.damping)
-            diagonals ? run(SpringForce<true>{}, std::true_type{}) : run(SpringForce<true>{}, std::false_type{});
-        else
-            diagonals ? run(SpringForce<false>{}, std::true_type{}) : run(SpringForce<false>{}, std::false_type{});
-    }
-
-    Setting setting;
-    Cloth<Real> cloth;
-    Fabric<Real> fabric;
-    std::vector<SweepBuffers<Real>> buffers;
-
-private:
-    template <class At>
-    Points collect(At&& at) const {
-        Points all;
-        for (int j = 0; j < setting.grid.rows; ++j)
-            for (int i = 0; i < setting.grid.columns; ++i) all.push_back(at(i, j));
-        return all;
-    }
-    double time_ = 0.0;
+    Stepper<Real> stepper;
+    Clock clock;
+    long long steps = 0;
 };
 
-// Compiled once, in sweep_test.cpp.
-extern template class Sheet<float, ForwardEuler>;
-extern template class Sheet<float, SemiImplicitEuler>;
-extern template class Sheet<double, ForwardEuler>;
-extern template class Sheet<double, SemiImplicitEuler>;
-
-/// Whether two cloths hold the same bits, padding included.
+/// Whether two fields hold the same bits, padding included.
 template <class Real>
-bool same_bits(const Cloth<Real>& a, const Cloth<Real>& b) {
-    for (int c = 0; c < 6; ++c)
-        if (std::memcmp(a.component(c).data(), b.component(c).data(), a.count() * sizeof(Real)) != 0) return false;
+bool same_bits(const FieldBuffer<Real>& a, const FieldBuffer<Real>& b) {
+    for (int c = 0; c < 3; ++c)
+        if (std::memcmp(a.component(c).data(), b.component(c).data(), a.component(c).size() * sizeof(Real)) != 0)
+            return false;
     return true;
 }
+/// Whether two sheets hold the same bits in every field, what a method keeps included.
+template <class Tested>
+bool same_bits(const Tested& a, const Tested& b) {
+    const auto one = a.checkpoint(), other = b.checkpoint();
+    if (one.fields.size() != other.fields.size() || one.started_dt != other.started_dt) return false;
+    for (std::size_t f = 0; f < one.fields.size(); ++f)
+        if (!same_bits(one.fields[f], other.fields[f])) return false;
+    return true;
+}
+
+/// Kernels called by hand on any block of rows: fields, constants and buffers as a Stepper would hand them.
+template <class Real>
+class Rows {
+public:
+    Rows(const Model& model, std::vector<FieldBuffer<Real>> of)
+        : fields(std::move(of)),
+          sums(static_cast<std::size_t>(model.grid.rows)),
+          out(model.grid.columns, model.grid.rows),
+          model_(model),
+          constants_(model),
+          waiting_(constants_.width()),
+          acceleration_(model.grid.columns, 1) {}
+
+    Rows(const Rows&) = delete;  // its passes point into it
+
+    /// The rows first <= j < last at time t (s). Terms that push masses are asked for every row.
+    Pass<Real> pass(int first, int last, double dt, double t) {
+        Pass<Real> p{};
+        for (std::size_t f = 0; f < fields.size(); ++f) p.fields[f] = fields[f].view();
+        p.first = first, p.last = last, p.rows = model_.grid.rows;
+        p.width = constants_.width();
+        p.constants = constants_.constants();
+        p.acceleration = std::as_const(acceleration_).view();
+        p.accelerate = &fill;
+        p.terms = this;
+        p.time = t;
+        p.dt = static_cast<Real>(dt);
+        p.waiting = waiting_.view();
+        p.sums = sums.data();
+        p.out = out.view();
+        return p;
+    }
+    Rows copy() const { return {model_, fields}; }
+    Pass<Real> whole(double dt = 0.0, double t = 0.0) { return pass(0, model_.grid.rows, dt, t); }
+
+    std::vector<FieldBuffer<Real>> fields;
+    std::vector<RowSums> sums;
+    FieldBuffer<Real> out;
+
+private:
+    static void fill(void* self, int row, double t) {
+        Rows& rows = *static_cast<Rows*>(self);
+        for (int c = 0; c < 3; ++c)
+            std::fill(rows.acceleration_.component(c).begin(), rows.acceleration_.component(c).end(), Real(0));
+        rows.model_.terms.for_each([&](const auto& term) {
+            const PushedRow<Real> pushed{rows.model_.grid, row, rows.constants_.width(),
+                                         rows.constants_.drag_rate(rows.model_, row)};
+            const auto a = rows.acceleration_.view();
+            if constexpr (requires { term.accelerate(pushed, t, a); }) term.accelerate(pushed, t, a);
+        });
+    }
+
+    Model model_;
+    ModelRows<Real> constants_;
+    WaitingBuffer<Real> waiting_;
+    FieldBuffer<Real> acceleration_;
+};
 
 /// One precision and one method: what a law is looped over.
 template <class R, class M>
@@ -193,9 +234,33 @@ struct Case {
     using Real = R;
     using Method = M;
 };
-using AllCases = std::tuple<Case<float, ForwardEuler>, Case<float, SemiImplicitEuler>, Case<double, ForwardEuler>,
-                            Case<double, SemiImplicitEuler>>;
-using DoubleCases = std::tuple<Case<double, ForwardEuler>, Case<double, SemiImplicitEuler>>;
+template <class Real, class List>
+struct CasesOf;
+template <class Real, class... M>
+struct CasesOf<Real, std::tuple<M...>> {
+    using type = std::tuple<Case<Real, M>...>;
+};
+using FloatCases = CasesOf<float, Methods>::type;
+using DoubleCases = CasesOf<double, Methods>::type;
+using AllCases = decltype(std::tuple_cat(FloatCases{}, DoubleCases{}));
 using Precisions = std::tuple<float, double>;
 
+// Kernels are compiled once, in physics_sheet.cpp.
+#define DRAPEAU_TESTED_KERNELS(prefix, Method)                                       \
+    prefix template Kernels<float> kernels_for<Vector<float>, Method>(const Model&); \
+    prefix template Kernels<double> kernels_for<Vector<double>, Method>(const Model&);
+#define DRAPEAU_ALL_TESTED_KERNELS(prefix)            \
+    DRAPEAU_TESTED_KERNELS(prefix, ForwardEuler)      \
+    DRAPEAU_TESTED_KERNELS(prefix, SemiImplicitEuler) \
+    DRAPEAU_TESTED_KERNELS(prefix, Leapfrog)          \
+    DRAPEAU_TESTED_KERNELS(prefix, Rk4)
+DRAPEAU_ALL_TESTED_KERNELS(extern)
+
 }  // namespace drapeau::testing
+
+namespace drapeau {
+inline namespace DRAPEAU_ISA {
+extern template class Stepper<float>;
+extern template class Stepper<double>;
+}  // namespace DRAPEAU_ISA
+}  // namespace drapeau

@@ -1,24 +1,18 @@
-// Terms: what a flag does not list has no member and is not executed. The kernels are templates over their lane type,
-// so a lane that counts shows what the very code of a composition does to a mass.
+// Terms: what a flag does not list is not executed. The kernels are templates over their lane type, so a lane that
+// counts shows what the very code of a composition does to a mass.
 #include "catch.hpp"
 #include "counted_lane.hpp"
 #include "physics_sheet.hpp"
 
-#include "drapeau/flag.hpp"
-
 namespace drapeau::bench {
 
-static Counts operator-(const Counts& a, const Counts& b) {
-    return {a.multiplications - b.multiplications, a.additions - b.additions, a.others - b.others, a.loads - b.loads,
-            a.stores - b.stores};
-}
 static bool operator==(const Counts& a, const Counts& b) {
-    return a.multiplications == b.multiplications && a.additions == b.additions && a.others == b.others &&
-           a.loads == b.loads && a.stores == b.stores;
+    return a.multiplications == b.multiplications && a.additions == b.additions && a.divisions == b.divisions &&
+           a.others == b.others && a.loads == b.loads && a.stores == b.stores;
 }
 static std::ostream& operator<<(std::ostream& out, const Counts& c) {
-    return out << c.multiplications << " multiplications, " << c.additions << " additions, " << c.others << " others, "
-               << c.loads << " loads, " << c.stores << " stores";
+    return out << c.multiplications << " multiplications, " << c.additions << " additions, " << c.divisions
+               << " divisions, " << c.others << " others, " << c.loads << " loads, " << c.stores << " stores";
 }
 
 }  // namespace drapeau::bench
@@ -30,143 +24,162 @@ using drapeau::bench::Counts;
 
 namespace {
 
-// What is not listed has no member.
-template <class T>
-concept HasAcceleration = requires(T t) {
-    t.acceleration;
-};
-template <class T>
-concept HasRate = requires(T t) {
-    t.rate;
-};
-
-template <class... Terms>
-using Folded = decltype(fold<float>(1.0, 0.0, std::declval<Terms>()...));
-
-static_assert(std::is_empty_v<Folded<>>);
-static_assert(HasAcceleration<Folded<Gravity>> && !HasRate<Folded<Gravity>>);
-static_assert(!HasAcceleration<Folded<AirDrag>> && HasRate<Folded<AirDrag>>);
-static_assert(!HasAcceleration<Folded<Friction>> && HasRate<Folded<Friction>>);
-static_assert(HasAcceleration<Folded<AirDrag, UniformWind>> && HasRate<Folded<AirDrag, UniformWind>>);
-static_assert(sizeof(Folded<Gravity>) == 3 * sizeof(float));
-static_assert(sizeof(Folded<AirDrag>) == sizeof(float));
-static_assert(sizeof(Folded<Gravity, AirDrag, Friction, UniformWind>) == 4 * sizeof(float));
-
 template <class... More>
-using FlagOf = Flag<float, StructuralSprings, More...>;
-static_assert(std::is_same_v<FlagOf<>::Pair, SpringForce<false>> && !FlagOf<>::diagonals);
-static_assert(std::is_same_v<FlagOf<SpringDamping>::Pair, SpringForce<true>> && !FlagOf<SpringDamping>::diagonals);
-static_assert(std::is_same_v<FlagOf<DiagonalSprings>::Pair, SpringForce<false>> && FlagOf<DiagonalSprings>::diagonals);
-static_assert(sizeof(FlagOf<>) < sizeof(FlagOf<Gravity>));
-static_assert(sizeof(FlagOf<Gravity>) < sizeof(FlagOf<Gravity, AirDrag, UniformWind>));
+using FlagOf = Flag<float, SemiImplicitEuler, More...>;
+static_assert(!FlagOf<>::damped && !FlagOf<>::diagonals && !FlagOf<>::rated);
+static_assert(FlagOf<SpringDamping>::damped && !FlagOf<SpringDamping>::diagonals && !FlagOf<SpringDamping>::rated);
+static_assert(FlagOf<DiagonalSprings>::diagonals && !FlagOf<DiagonalSprings>::damped);
+static_assert(FlagOf<AirDrag>::rated && FlagOf<Friction>::rated && !FlagOf<Gravity, StretchLimit>::rated);
 
-template <class Work>
-Counts counted(Work&& work) {
-    const Counts before = Counts::now();
-    work();
-    return Counts::now() - before;
-}
-
-/// What a step does to a mass between the borders: the difference that one more row makes, by its masses.
-template <class Real, bool diagonals, bool damped, bool has_acceleration, bool has_rate>
-Counts per_mass() {
+/// What a pass of a step does to a mass between the borders: the difference that one more row makes, by its masses.
+/// `watched`: the field whose loads are counted apart.
+template <class Real, class Method, bool diagonals, bool damped, bool rated, int pass = 0>
+Counts per_mass(int watched = 1) {
     constexpr int columns = 16;  // a whole number of the widest registers: no padding is counted
-    const auto of_rows = [](int rows) {
-        const Grid grid{columns, rows, 0.1, 0.1};
-        Material material{0.01, 200.0, {}, {}};
-        if (diagonals) material.diagonal_stiffness = 100.0;
-        if (damped) material.damping = 0.0;  // zero, but listed
-        Cloth<Real> cloth(grid);
-        for (int j = 0; j < rows; ++j)
-            for (int i = 0; i < columns; ++i) cloth.set_position(i, j, grid.rest(i, j));
-        const Fabric<Real> fabric(grid, Attach::hoist, material);
-        SweepBuffers<Real> buffers(cloth.width());
-        const Uniform<Real, has_acceleration, has_rate> uniform{};
-        return counted([&] {
-            advance_cloth<CountedLane<Real>, SpringForce<damped>, diagonals, SemiImplicitEuler>(
-                cloth.view(), fabric.view(), uniform, Real(1e-4), buffers);
-        });
+    const auto of_rows = [&](int rows) {
+        Springs springs{0.01, 200.0, {}, {}};
+        if (diagonals) springs.diagonal_stiffness = 100.0;
+        if (damped) springs.damping = 0.0;  // zero, but listed
+        const Model model({columns, rows, 0.1, 0.1}, springs, Attach::hoist);
+        Rows<Real> cloth(model,
+                         std::vector<FieldBuffer<Real>>(static_cast<std::size_t>(Method::template fields<damped>),
+                                                        FieldBuffer<Real>(columns, rows)));
+        auto given = cloth.whole(1e-4);
+        given.accelerate = nullptr;
+        Counts& now = Counts::now();
+        now = {};
+        const auto& seen = cloth.fields[static_cast<std::size_t>(watched)].component(0);
+        now.watched_from = seen.begin(), now.watched_to = seen.end();
+        advance_rows<CountedLane<Real>, Method, pass, damped, diagonals, rated>(given);
+        return now;
     };
-    const Counts row = of_rows(6) - of_rows(5);
-    return {row.multiplications / columns, row.additions / columns, row.others / columns, row.loads / columns,
-            row.stores / columns};
+    const Counts more = of_rows(6), fewer = of_rows(5);
+    const auto each = [&](double Counts::*of) { return (more.*of - fewer.*of) / columns; };
+    Counts mass;
+    for (const auto of : {&Counts::multiplications, &Counts::additions, &Counts::divisions, &Counts::others,
+                          &Counts::loads, &Counts::stores, &Counts::watched_loads})
+        mass.*of = each(of);
+    return mass;
 }
 
-/// What the force of one spring takes, from its two masses' difference on.
-template <class Real, bool damped>
-Counts per_spring() {
-    using V = CountedLane<Real>;
-    const Real one[] = {1};
-    const SpringRow<Real> spring{one, one, one};
-    const Triple<V> d{V(1), V(2), V(3)};
-    return counted([&] { SpringForce<damped>::template pull<V>(spring, 0, d, d); });
+double arithmetic(const Counts& c) {
+    return c.multiplications + c.additions + c.divisions + c.others;
 }
 
 }  // namespace
 
-TEMPLATE_LIST_TEST_CASE("A listed term costs what it does and an unlisted one nothing", "[physics]", Precisions) {
+TEMPLATE_LIST_TEST_CASE("What is listed costs, what is not costs nothing", "[physics]", AllCases) {
+    using Real = typename TestType::Real;
+    using Method = typename TestType::Method;
+    const Counts bare = per_mass<Real, Method, false, false, false>();
+    const Counts rated = per_mass<Real, Method, false, false, true>(),
+                 damped = per_mass<Real, Method, false, true, false>(),
+                 diagonals = per_mass<Real, Method, true, false, false>();
+    for (const Counts& listed : {rated, damped, diagonals}) {
+        CHECK(arithmetic(listed) > arithmetic(bare));
+        CHECK(listed.loads > bare.loads);
+    }
+    // Drag and friction are one rate however many of them there are; braking by it takes at most a product and a
+    // difference of three components, and what leapfrog centres them by. None stores anything.
+    CHECK(rated.loads == bare.loads + 1);
+    CHECK(rated.stores == bare.stores);
+    CHECK(diagonals.stores == bare.stores);
+    // A damper costs the same whatever else is listed: what it adds for two springs a mass it adds twice for four, but
+    // for velocities that are looked at once for several springs.
+    const Counts both = per_mass<Real, Method, true, true, false>();
+    const double for_two = damped.multiplications - bare.multiplications,
+                 for_four = both.multiplications - diagonals.multiplications;
+    CHECK(for_four - for_two > 0.0);
+    CHECK(for_four <= 2.0 * for_two);
+    // Structural springs and diagonals alike: two more springs a mass cost as much as the two there were, the move of
+    // the mass apart.
+    CHECK(diagonals.multiplications - bare.multiplications < bare.multiplications);
+    CHECK(2.0 * (diagonals.multiplications - bare.multiplications) > bare.multiplications);
+}
+
+TEMPLATE_LIST_TEST_CASE("Without damping no neighbour's velocity is read", "[physics]", AllCases) {
+    using Real = typename TestType::Real;
+    using Method = typename TestType::Method;
+    constexpr int seen = Method::template seen_velocity<true>, kept = Method::template seen_velocity<false>;
+    const Counts bare = per_mass<Real, Method, true, false, true>(kept);
+    const Counts damped = per_mass<Real, Method, true, true, true>(seen);
+    CHECK(bare.watched_loads == 1.0);    // of each component: a mass's own, to move it
+    CHECK(damped.watched_loads >= 4.0);  // the four masses of its cell
+}
+
+TEMPLATE_LIST_TEST_CASE("Without damping no mass feels how its neighbours move", "[physics]", AllCases) {
+    using Real = typename TestType::Real;
+    using Method = typename TestType::Method;
+    for (const bool diagonals : {false, true}) {
+        const Springs springs{0.01, 200.0, diagonals ? std::optional(100.0) : std::nullopt, {}};
+        const Model model({5, 4, 0.1, 0.1}, springs, Attach::none);
+        const auto kernels = kernels_for<Vector<Real>, Method>(model);
+        Sheet<Real, Method> sheet(model, scattered(model.grid, 0.02), noise(20, 1.0));
+        sheet.advance(1e-4, 1);  // the method has started
+        for (int n = 0; n < 20; ++n) {
+            Rows<Real> calm(model, sheet.checkpoint().fields), wild = calm.copy();
+            auto& v = wild.fields[static_cast<std::size_t>(kernels.seen_velocity)];
+            for (int other = 0; other < 20; ++other)
+                if (other != n) v.set(other % 5, other / 5, glm::dvec3(NAN));
+            kernels.advance[0](calm.whole(1e-4)), kernels.advance[0](wild.whole(1e-4));
+            for (int f = 0; f < kernels.fields; ++f)
+                CHECK(calm.fields[static_cast<std::size_t>(f)].at(n % 5, n / 5) ==
+                      wild.fields[static_cast<std::size_t>(f)].at(n % 5, n / 5));
+        }
+    }
+}
+
+TEMPLATE_LIST_TEST_CASE("Without damping leapfrog keeps and stores what semi-implicit Euler does", "[physics]",
+                        Precisions) {
     using Real = TestType;
-    const Counts bare = per_mass<Real, false, false, false, false>();
-    const Counts spring = per_spring<Real, false>(), damped = per_spring<Real, true>();
-
-    // c r (dv . d): a dot product and two products; c is read.
-    CHECK(damped - spring == Counts{5, 2, 0, 1, 0});
-
-    // An acceleration is a sum of three components, a rate three products and sums; neither touches memory.
-    CHECK(per_mass<Real, false, false, true, false>() - bare == Counts{0, 3, 0, 0, 0});
-    CHECK(per_mass<Real, false, false, false, true>() - bare == Counts{3, 3, 0, 0, 0});
-    CHECK(per_mass<Real, false, false, true, true>() - bare == Counts{3, 6, 0, 0, 0});
-
-    // Two diagonal springs a mass: their forces, their masses' differences (3 each) and what sums them up: two forces
-    // each at two ends (12), one of which waits a register's width (3 others). A fourth mass is looked at.
-    CHECK(per_mass<Real, true, false, false, false>() - bare == Counts{2 * spring.multiplications,
-                                                                       2 * spring.additions + 6 + 12,
-                                                                       2 * spring.others + 3, 2 * spring.loads + 3, 0});
-
-    // Damping: two springs' share of it and their masses' relative velocities, from the velocities of three masses.
-    CHECK(per_mass<Real, false, true, false, false>() - bare == Counts{2 * 5, 2 * (2 + 3), 0, 2 * 1 + 3 * 3, 0});
-    // With diagonals: four springs', from four masses.
-    CHECK(per_mass<Real, true, true, false, false>() - per_mass<Real, true, false, false, false>() ==
-          Counts{4 * 5, 4 * (2 + 3), 0, 4 * 1 + 4 * 3, 0});
+    CHECK(kernels_of<Vector<Real>, Leapfrog, false, true>().fields == 2);
+    CHECK(kernels_of<Vector<Real>, Leapfrog, true, true>().fields == 3);
+    CHECK(per_mass<Real, Leapfrog, true, false, false>() == per_mass<Real, SemiImplicitEuler, true, false, false>());
+    CHECK(per_mass<Real, Leapfrog, true, false, true>().stores ==
+          per_mass<Real, SemiImplicitEuler, true, false, true>().stores);
+    // With it three components more, and nothing more is read: damping looks at these instead of the velocity.
+    CHECK(per_mass<Real, Leapfrog, true, true, false>().stores ==
+          per_mass<Real, SemiImplicitEuler, true, true, false>().stores + 3.0);
 }
 
-TEMPLATE_LIST_TEST_CASE("Without damping a step reads no neighbour's velocity", "[physics]", Precisions) {
-    // Positions here, to the right and below (9), two springs of k and k L (4), the force that waits (3); for the move
-    // the inverse mass, x and v (7). Stored: x and v (6) and the force that waits (3).
-    const Counts bare = per_mass<TestType, false, false, false, false>();
-    CHECK(bare.loads == 9 + 4 + 3 + 7);
-    CHECK(bare.stores == 6 + 3);
-}
-
-TEST_CASE("A term of zero strength moves a flag as its absence does", "[physics]") {
+TEMPLATE_LIST_TEST_CASE("A term of zero strength moves a flag as its absence does", "[physics]", DoubleCases) {
+    using Method = typename TestType::Method;
     const Grid grid = spread(7, 5, 0.6, 0.4);
-    Flag<double, StructuralSprings, Gravity> bare(grid, Attach::grommets, 0.01, StructuralSprings{200}, Gravity{});
-    Flag<double, StructuralSprings, DiagonalSprings, SpringDamping, Gravity, AirDrag, Friction, UniformWind> zero(
-        grid, Attach::grommets, 0.01, StructuralSprings{200}, DiagonalSprings{0}, SpringDamping{0}, Gravity{},
-        AirDrag{0}, Friction{0}, UniformWind{Wind{{5.0, 0.0, 1.0}}});
-    bare.advance(SemiImplicitEuler{}, 1e-3, 100);
-    zero.advance(SemiImplicitEuler{}, 1e-3, 100);
-    bool same = true;
-    for (int j = 0; j < 5; ++j)
-        for (int i = 0; i < 7; ++i) same = same && bare.cloth().position(i, j) == zero.cloth().position(i, j);
-    CHECK(same);  // x + 0 and 0 * x change no bit of a finite x
+    Flag<double, Method, Gravity> bare(grid, Attach::grommets, {0.01, 200.0}, Gravity{});
+    Flag<double, Method, DiagonalSprings, SpringDamping, Gravity, AirDrag, Friction, Wind> zero(
+        grid, Attach::grommets, {0.01, 200.0}, DiagonalSprings{0.0}, SpringDamping{0.0}, Gravity{}, AirDrag{0.0},
+        Friction{0.0}, Wind{.velocity = {5.0, 0.0, 1.0}});
+    bare.set_step(1e-3), zero.set_step(1e-3);
+    bare.advance(100), zero.advance(100);
+    // x + 0 and 0 * x change no bit of a finite x
+    CHECK(points_of(bare.state().position) == points_of(zero.state().position));
+    CHECK(points_of(bare.state().velocity) == points_of(zero.state().velocity));
     CHECK(bare.time() == Approx(0.1));
-    CHECK(bare.largest_stable_step(SemiImplicitEuler{}) == zero.largest_stable_step(SemiImplicitEuler{}));
+    CHECK(bare.largest_stable_step() == zero.largest_stable_step());
 }
 
-TEST_CASE("A flag moves as its terms say", "[physics]") {
-    // The same composition through the interface for who embeds the core and through kernels put together by hand
+TEMPLATE_LIST_TEST_CASE("A flag moves as its terms say", "[physics]", FloatCases) {
+    // The same composition through the interface for who embeds the core and through kernels chosen by the model
+    using Method = typename TestType::Method;
     const Grid grid = spread(9, 6, 0.8, 0.5);
-    const Wind wind{{3.0, 0.5, 1.0}, {1.0, 0.5, 1.0}, 0.2, 3};
-    Flag<float, StructuralSprings, DiagonalSprings, SpringDamping, Gravity, AirDrag, Friction, UniformWind> flag(
-        grid, Attach::hoist, 0.01, StructuralSprings{150}, DiagonalSprings{70}, SpringDamping{0.02}, Gravity{},
-        AirDrag{0.01}, Friction{0.005}, UniformWind{wind});
-    Setting s{.grid = grid, .attach = Attach::hoist, .material = {0.01, 150.0, 70.0, 0.02}};
-    s.gravity = {0.0, -9.8, 0.0}, s.drag = 0.01, s.friction = 0.005, s.wind = wind;
-    Sheet<float, SemiImplicitEuler> sheet(s);
-    flag.advance(SemiImplicitEuler{}, 1e-3, 100);
-    sheet.advance(1e-3, 100);
-    CHECK(same_bits(flag.cloth(), sheet.cloth));
-    CHECK(flag.largest_stable_step(SemiImplicitEuler{}) == largest_step(SemiImplicitEuler{}, s.rates()));
-    CHECK(flag.largest_stable_step(ForwardEuler{}) == largest_step(ForwardEuler{}, s.rates()));
+    const Wind wind{{3.0, 0.5, 1.0}, {1.0, 0.5, 1.0}, 0.2, false, 3};
+    Flag<float, Method, DiagonalSprings, SpringDamping, Gravity, AirDrag, Friction, Wind> flag(
+        grid, Attach::hoist, {0.01, 150.0}, DiagonalSprings{70.0}, SpringDamping{0.02}, Gravity{}, AirDrag{0.01},
+        Friction{0.005}, wind);
+    const Model model(grid, {0.01, 150.0, 70.0, 0.02}, Attach::hoist,
+                      Terms().add(Gravity{}).add(AirDrag{0.01}).add(Friction{0.005}).add(wind));
+    Sheet<float, Method> sheet(model);
+    flag.set_step(1e-3);
+    flag.advance(100), sheet.advance(1e-3, 100);
+    CHECK(points_of(flag.state().position) == sheet.positions());
+    CHECK(points_of(flag.state().velocity) == sheet.velocities());
+    CHECK(flag.largest_stable_step() == stable_step(Method{}, model));
+    // A strength that is set while it flies is that strength.
+    Model stronger = model;
+    stronger.terms.add(AirDrag{0.03});
+    stronger.springs.stiffness = 160.0;
+    flag.set(AirDrag{0.03}), flag.set(Cloth{0.01, 160.0});
+    sheet.stepper.refill(stronger);
+    flag.advance(100), sheet.advance(1e-3, 100);
+    CHECK(points_of(flag.state().position) == sheet.positions());
 }

@@ -1,0 +1,73 @@
+// Threads: any number of them gives the same bits: motion, sums and reports. Run these with the thread sanitizer too.
+#include "catch.hpp"
+#include "physics_sheet.hpp"
+
+using namespace drapeau;
+using namespace drapeau::testing;
+
+namespace {
+
+constexpr double dt = 1e-4;
+constexpr int steps = 13;
+
+/// Every force, travelling gusts that differ from row to row, and a limit that has work to do.
+Model storm(const Grid& grid, const Springs& springs, bool travelling, bool limited) {
+    Limits limits;
+    if (limited) limits.add(StretchLimit{0.05});
+    return Model(grid, springs, Attach::corner,
+                 Terms()
+                     .add(Gravity{{0.3, -9.81, 0.1}})
+                     .add(AirDrag{0.02})
+                     .add(Friction{0.01})
+                     .add(Wind{{3.0, 0.5, 1.0}, {1.0, 0.5, 1.0}, 0.01, travelling, 3}),
+                 limits);
+}
+
+bool same(const Measurement& a, const Measurement& b) {
+    return a.kinetic == b.kinetic && a.elastic == b.elastic && a.max_stretch == b.max_stretch &&
+           a.mean_stretch == b.mean_stretch && a.max_force == b.max_force && a.rms_force == b.rms_force &&
+           a.power == b.power && a.moment == b.moment;
+}
+bool same(const Report& a, const Report& b) {
+    return a.work.external == b.work.external && a.work.damping == b.work.damping && a.work.passes == b.work.passes &&
+           a.limit.sweeps == b.limit.sweeps && a.limit.max_stretch == b.limit.max_stretch && a.limit.met == b.limit.met;
+}
+
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("Any number of threads gives the same bits", "[physics][threads]", AllCases) {
+    using Tested = Sheet<typename TestType::Real, typename TestType::Method>;
+    for (const auto& [columns, rows] : {std::pair{5, 2}, {5, 3}, {17, 7}, {33, 12}, {4, 41}, {1, 9}})
+        for (const auto& springs : all_springs(0.01, 200.0, 100.0, 0.05))
+            for (const auto& [travelling, limited] : {std::pair{false, false}, {true, false}, {true, true}}) {
+                const Model model = storm({columns, rows, 0.1, 0.08}, springs, travelling, limited);
+                // A spring is up to a third longer than at rest.
+                const auto x = scattered(model.grid, 0.015), v = noise(masses_of(model), 1.0);
+                Tested alone(model, x, v);
+                const Report report = alone.advance(dt, steps, steps / 2);
+                const Measurement measured = alone.measure();
+                CHECK((!limited || report.limit.sweeps > 0));
+                for (const int threads : {1, 2, 3, 5}) {
+                    Tested shared(model, x, v);
+                    shared.stepper.use_threads(threads);
+                    CHECK(same(shared.advance(dt, steps, steps / 2), report));
+                    CHECK(same_bits(alone, shared));
+                    CHECK(same(shared.measure(), measured));
+                }
+            }
+}
+
+TEMPLATE_LIST_TEST_CASE("The number of threads may change on the way", "[physics][threads]", AllCases) {
+    using Tested = Sheet<typename TestType::Real, typename TestType::Method>;
+    const Model model = storm({17, 12, 0.1, 0.08}, {0.01, 200.0, 100.0, 0.05}, true, false);
+    const auto x = scattered(model.grid, 0.02), v = noise(masses_of(model), 1.0);
+    Tested alone(model, x, v), changing(model, x, v);
+    for (const int threads : {3, 1, 5, 2, 100}) {
+        changing.stepper.use_threads(threads);
+        CHECK(changing.stepper.threads() <= 6);  // two rows each at least
+        alone.advance(dt, steps), changing.advance(dt, steps);
+        CHECK(same_bits(alone, changing));
+        CHECK(points_of(alone.stepper.state(alone.time()).velocity) ==
+              points_of(changing.stepper.state(changing.time()).velocity));
+    }
+}
