@@ -9,7 +9,7 @@
 namespace drapeau::bench {
 
 struct Counts {
-    double multiplications = 0, additions = 0, others = 0;  // others: the bits of the root's guess, selections
+    double multiplications = 0, additions = 0, others = 0;  // others: the root's guess, selections, divisions
     double loads = 0, stores = 0;                           // of one Real each
 
     static Counts& now() {
@@ -36,7 +36,10 @@ struct CountedLane {
     friend CountedLane operator*(CountedLane a, CountedLane b) {
         return ++Counts::now().multiplications, a.value * b.value;
     }
+    friend CountedLane operator/(CountedLane a, CountedLane b) { return ++Counts::now().others, a.value / b.value; }
     CountedLane operator-() const { return ++Counts::now().additions, -value; }
+    /// Lane 0, for sums over the lanes.
+    Real operator[](int) const { return value; }
 };
 
 }  // namespace drapeau::bench
@@ -53,6 +56,7 @@ struct Lanes<bench::CountedLane<Scalar>> {
     static void store(Real* to, V value) { ++bench::Counts::now().stores, *to = value.value; }
     static V broadcast(Real value) { return value; }
     static V where_positive(V where, V value) { return ++bench::Counts::now().others, where.value > 0 ? value : V(); }
+    static V greater(V a, V b) { return ++bench::Counts::now().others, b.value > a.value ? b : a; }
     static V shifted(V left, V) { return ++bench::Counts::now().others, left; }
 };
 
