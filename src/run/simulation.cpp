@@ -155,8 +155,9 @@ private:
     static constexpr double calm = 2.0;  // s without energy created until a lowered step may grow again
 
     void open() {
-        watch.open(*engine, now, batch_seconds / now.clock.dt,
-                   Watch::Nature::of(scene.time.method, !stable().allows(now.clock.dt)));
+        auto nature = Watch::Nature::of(scene.time.method, !stable().allows(now.clock.dt));
+        if (automatic()) nature.dissipates = false;  // its step is too small for that
+        watch.open(*engine, now, batch_seconds / now.clock.dt, nature);
     }
 
     /// Another share of the usual automatic step from now on.

@@ -67,10 +67,7 @@ void Watch::write(Engine& engine, const Progress& now) {
     came_in.value = 0.0;
     for (const double in : external_) came_in.value += std::max(0.0, in);
     Estimate made{joules - energy_ - work.value, work.variance};
-    // Only a method that dissipates loses energy; and where dampers are seen at work while most of it goes within a few
-    // batches, samples cannot tell how much was theirs.
-    const bool sudden = joules < 0.5 * energy_ && -work.value > 0.1 * (energy_ - joules);
-    if (made.value < 0.0 && (!dissipates_ || sudden)) made = {};
+    if (made.value < 0.0 && !dissipates_) made = {};  // dampers that were missed
     ledger_.add(now.time(), joules, came_in, made,
                 rounding_energy(engine, now.steps - written_step_));
     if (std::abs(ledger_.created_share()) > created_when_calm) last_unrest_ = now.time();
