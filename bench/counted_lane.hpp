@@ -41,6 +41,8 @@ struct CountedLane {
     }
     friend CountedLane operator/(CountedLane a, CountedLane b) { return ++Counts::now().divisions, a.value / b.value; }
     CountedLane operator-() const { return ++Counts::now().additions, -value; }
+    /// Lane 0, for sums over the lanes.
+    Real operator[](int) const { return value; }
 };
 
 }  // namespace drapeau::bench

@@ -186,6 +186,63 @@ TEST_CASE("With an automatic step no run is garbage and none diverges", "[physic
     }
 }
 
+TEST_CASE("No change that the window can make while a flag flies leaves it garbage", "[physics][ledger]") {
+    struct Change {
+        const char* name;
+        void (*apply)(Scene&);
+    };
+    const Change changes[] = {
+        {"height by two thirds", [](Scene& s) { s.flag.height *= 2.0 / 3.0; }},
+        {"height by half", [](Scene& s) { s.flag.height *= 0.5; }},
+        {"height doubled", [](Scene& s) { s.flag.height *= 2.0; }},
+        {"size by 0.7", [](Scene& s) { s.flag.width *= 0.7, s.flag.height *= 0.7; }},
+        {"size by 1.5", [](Scene& s) { s.flag.width *= 1.5, s.flag.height *= 1.5; }},
+        {"another grid", [](Scene& s) { s.flag.columns = 29, s.flag.rows = 9; }},
+        {"ten times as stiff", [](Scene& s) { s.springs.stiffness *= 10.0, *s.springs.diagonal_stiffness *= 10.0; }},
+        {"a tenth as heavy", [](Scene& s) { s.springs.mass *= 0.1; }},
+        {"no diagonals", [](Scene& s) { s.springs.diagonal_stiffness.reset(); }},
+        {"no damping", [](Scene& s) { s.springs.damping.reset(); }},
+        {"three times the wind", [](Scene& s) { s.wind()->velocity *= 3.0; }},
+        {"travelling gusts", [](Scene& s) { s.wind()->travelling = true; }},
+        {"ten times the gravity", [](Scene& s) { s.gravity()->acceleration *= 10.0; }},
+        {"no gravity", [](Scene& s) { s.gravity().reset(); }},
+        {"leapfrog", [](Scene& s) { s.time.method = method_id<Leapfrog>; }},
+        {"rk4", [](Scene& s) { s.time.method = method_id<Rk4>; }},
+        {"double", [](Scene& s) { s.time.precision = Precision::double_precision; }},
+        {"held by a corner", [](Scene& s) { s.flag.attach = Attach::corner; }},
+        {"stretched by half", [](Scene& s) { s.flag.prestretch = 0.5; }},
+        {"a stretch limit", [](Scene& s) { s.limits.add(StretchLimit{0.1}); }},
+    };
+    for (const auto& change : changes) {
+        INFO(change.name);
+        Scene scene = read_scene(find_scene("report"));
+        scene.flag.columns = 20, scene.flag.rows = 14;
+        scene.springs.mass *= 5.0;
+        const auto fly = [&](double share_of_automatic) {
+            Simulation simulation(scene);
+            for (int n = 0; n < 30; ++n) REQUIRE_FALSE(simulation.advance_batch());
+            Scene changed = scene;
+            change.apply(changed);
+            simulation.change(changed);
+            if (share_of_automatic < 1.0) {
+                changed.time.dt = share_of_automatic * simulation.dt();
+                changed.time.precision = Precision::double_precision;
+                simulation.change(changed);
+            }
+            Means means;
+            constexpr int batches = 90;
+            for (int n = 0; n < batches; ++n) {
+                REQUIRE_FALSE(simulation.advance_batch());
+                const auto readings = simulation.readings();
+                means.energy += (readings.kinetic_energy + readings.spring_energy) / batches;
+                means.stretch += percentile_99(simulation.state(), simulation.model().grid) / batches;
+            }
+            return means;
+        };
+        CHECK(kind_of(fly(1.0), fly(1.0 / 8.0), floor_of(scene)) != Kind::garbage);
+    }
+}
+
 TEST_CASE("A long quiet run adds up no false alarm", "[physics][ledger]") {
     for (const auto precision : {Precision::single_precision, Precision::double_precision}) {
         Scene scene = read_scene(find_scene("report"));
