@@ -18,26 +18,27 @@ inline vec3 spring_force(const vec3& x, const vec3& v, const vec3& x_other, cons
 }  // namespace
 
 template <class Real>
-ReportArrangement<Real>::ReportArrangement(const Grid& grid, Attach attach, const Material& material,
-                                           const ReportSurroundings& around)
-    : columns_(grid.columns),
-      rows_(grid.rows),
-      mass_(static_cast<Real>(material.mass)),
+ReportArrangement<Real>::ReportArrangement(const Model& model, const ReportSurroundings& around)
+    : columns_(model.grid.columns),
+      rows_(model.grid.rows),
+      mass_(static_cast<Real>(model.springs.mass)),
       gravity_(around.gravity),
       wind_(around.wind),
       drag_(static_cast<Real>(around.drag)),
-      diagonals_(material.diagonal_stiffness.has_value()),
-      masses_(static_cast<std::size_t>(grid.masses())) {
+      diagonals_(model.has_diagonals()),
+      masses_(static_cast<std::size_t>(model.grid.masses())) {
+    const Grid& grid = model.grid;
+    const Springs& springs = model.springs;
     const auto spring = [&](double k, double length) {
-        return Spring{static_cast<Real>(k), static_cast<Real>(material.damping.value_or(0.0)),
+        return Spring{static_cast<Real>(k), static_cast<Real>(springs.damping.value_or(0.0)),
                       static_cast<Real>(length)};
     };
-    along_fly_ = spring(material.stiffness, grid.pitch_x);
-    down_hoist_ = spring(material.stiffness, grid.pitch_y);
-    diagonal_ = spring(material.diagonal_stiffness.value_or(0.0), grid.pitch_diagonal());
+    along_fly_ = spring(springs.stiffness, grid.pitch_x);
+    down_hoist_ = spring(springs.stiffness, grid.pitch_y);
+    diagonal_ = spring(springs.diagonal_stiffness.value_or(0.0), grid.pitch_diagonal());
     for (int j = 0; j < rows_; ++j)
         for (int i = 0; i < columns_; ++i)
-            mass(i, j) = {vec3(grid.rest(i, j)), vec3(0), vec3(0), vec3(0), is_attached(attach, grid, i, j)};
+            mass(i, j) = {vec3(grid.rest(i, j)), vec3(0), vec3(0), vec3(0), model.held(i, j)};
 }
 
 template <class Real>

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "drapeau/model.hpp"
+#include "drapeau/spring.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -27,8 +28,8 @@ class ReportArrangement {
 public:
     using vec3 = glm::vec<3, Real>;
 
-    /// All masses at rest at their places in the grid.
-    ReportArrangement(const Grid& grid, Attach attach, const Material& material, const ReportSurroundings& around);
+    /// All masses at rest at their places in the grid. Of the model, its grid, springs and attachments.
+    ReportArrangement(const Model& model, const ReportSurroundings& around);
 
     /// Takes `steps` steps of dt seconds with semi-implicit Euler (report, eqs. 8 and 9).
     void advance(double dt, int steps);
