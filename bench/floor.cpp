@@ -1,62 +1,58 @@
 #include "floor.hpp"
 
-#include "run/engine.hpp"
+#include "evaluation.hpp"
 
-#include "drapeau/advance.hpp"
-#include "drapeau/forces.hpp"
-#include "drapeau/methods/forward_euler.hpp"
-#include "drapeau/methods/semi_implicit_euler.hpp"
+#include "drapeau/methods/list.hpp"
+#include "drapeau/start.hpp"
+#include "drapeau/stepper.hpp"
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 
 namespace drapeau::bench {
 namespace {
 
 constexpr int columns = 64, rows = 64;  // whole registers; borders weigh little
 
-/// Calls job with a constant for each flag.
+/// Calls job with a constant for a flag.
 template <class Job>
 void with_constant(bool flag, const Job& job) {
     flag ? job(std::true_type{}) : job(std::false_type{});
 }
 
+/// What one case's work does on a flag whose kernels count.
+template <class Real>
+void do_counted(const Case& c, const Model& model, const Kernels<Real>& kernels) {
+    if (c.work == Work::forces) {
+        Evaluation<Real> evaluation(model, kernels, flat_start(model.grid), 1e-5);
+        Counts::now() = {};
+        return evaluation.run();
+    }
+    Stepper<Real> flag(model, kernels);
+    const Clock clock{.dt = 1e-5};
+    flag.advance(clock, 0, 0);  // the method starts
+    Counts::now() = {};
+    if (c.work == Work::measure)
+        flag.measure(0.0);
+    else
+        flag.advance(clock, 0, 1, c.work == Work::accounted ? 0 : no_step);
+}
+
 template <class Real>
 Counts count(const Case& c) {
     using Lane = CountedLane<Real>;
-    const Physics physics(flag_scene(columns, rows, c.method, c.terms));
-    Cloth<Real> cloth(physics.grid);
-    Fabric<Real> fabric(physics.grid, physics.attach, physics.material);
-    SweepBuffers<Real> buffers(cloth.width());
-    for (int j = 0; j < rows; ++j)
-        for (int i = 0; i < columns; ++i) cloth.set_position(i, j, physics.grid.rest(i, j));
-
-    // The programs' kernels fold gravity, drag and wind in whether or not a scene lists them.
-    const bool folds_all = c.work != Work::terms;
-    const bool acceleration = folds_all || c.terms.gravity || c.terms.wind, rate = folds_all || c.terms.drag;
-
-    Counts::now() = {};
-    with_constant(c.terms.diagonal, [&](auto diagonals) {
-        with_constant(c.terms.damping, [&](auto damped) {
-            using Pair = SpringForce<damped()>;
-            if (c.work == Work::forces) {
-                Array<Real> f[3]{Array<Real>(cloth.count()), Array<Real>(cloth.count()), Array<Real>(cloth.count())};
-                spring_forces<Lane, Pair, diagonals()>(cloth.view(), fabric.view(),
-                                                       ForceRow<Real>{f[0].data(), f[1].data(), f[2].data()}, buffers);
-                return;
-            }
-            with_constant(acceleration, [&](auto has_acceleration) {
-                with_constant(rate, [&](auto has_rate) {
-                    const Uniform<Real, has_acceleration(), has_rate()> uniform{};
-                    const auto dt = static_cast<Real>(1e-5);
-                    if (c.method == Method::forward_euler)
-                        advance_cloth<Lane, Pair, diagonals(), ForwardEuler>(cloth.view(), fabric.view(), uniform, dt,
-                                                                             buffers);
-                    else
-                        advance_cloth<Lane, Pair, diagonals(), SemiImplicitEuler>(cloth.view(), fabric.view(), uniform,
-                                                                                  dt, buffers);
+    Case same = c;
+    same.columns = columns, same.rows = rows;
+    const Model model = model_of(scene_of(same));
+    with_constant(model.has_diagonals(), [&](auto diagonals) {
+        with_constant(model.is_damped(), [&](auto damped) {
+            if (c.work == Work::terms && !c.listing.drag)
+                do_counted<Real>(c, model, kernels_of<Lane, SemiImplicitEuler, damped(), diagonals(), false>());
+            else
+                with_method(c.method, [&]<class M>(const M&) {
+                    do_counted<Real>(c, model, kernels_of<Lane, M, damped(), diagonals()>());
                 });
-            });
         });
     });
     Counts counts = Counts::now();
@@ -88,15 +84,26 @@ Counts count_operations(const Case& c) {
 Floor floor_of(const Case& c, const Counts& counts, const Peaks& peaks) {
     const auto masses = static_cast<std::size_t>(c.masses());
     const std::size_t real = c.bytes_a_real();
-    const bool whole_steps = c.work != Work::snapshot && c.work != Work::copy && c.work != Work::forces;
 
-    // What is read and written: a step updates six components in place, the others read some and write others.
-    const std::size_t moved = c.work == Work::snapshot ? 6 * (real + sizeof(float))
-                              : c.work == Work::forces ? 9 * real
-                                                       : 12 * real;
-    const std::size_t set_bytes = masses * (whole_steps ? moved / 2 : moved);
-    const double moving =
-        ns_to_move(static_cast<double>(moved), set_bytes, whole_steps ? &Level::update : &Level::copy, peaks);
+    // What must be read and written at least. Passes of steps update what they see in place; the rest reads some and
+    // writes other.
+    std::size_t moved = 12 * real, set_bytes = masses * moved;
+    double Level::*rate = &Level::copy;
+    if (takes_steps(c.work)) {
+        const auto [passes, fields] = with_method(c.method, [&]<class M>(const M&) {
+            return std::pair(M::passes, c.listing.damping ? M::template fields<true> : M::template fields<false>);
+        });
+        moved *= passes;
+        set_bytes = masses * 3 * fields * real;
+        rate = &Level::update;
+    } else if (c.work == Work::measure) {
+        moved = 6 * real, set_bytes = masses * moved, rate = &Level::load;
+    } else if (c.work == Work::forces) {
+        moved = 9 * real, set_bytes = masses * moved;
+    } else if (c.work == Work::snapshot) {
+        moved = 3 * (real + sizeof(float)), set_bytes = masses * moved;
+    }
+    const double moving = ns_to_move(static_cast<double>(moved), set_bytes, rate, peaks);
 
     const double operations = std::max(counts.multiplications, counts.additions) + counts.others;
     const double arithmetic = operations / peaks.multiply_adds_of(c.precision);

@@ -1,6 +1,6 @@
 #include "peers.hpp"
 
-#include "run/engine.hpp"
+#include "drapeau/stability.hpp"
 
 #include <BulletSoftBody/btSoftBody.h>
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
@@ -25,24 +25,28 @@ struct World {
     btDbvtBroadphase broadphase;
     btSequentialImpulseConstraintSolver solver;
     btSoftRigidDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
-    Physics physics;
+    Model model;
+    double drag;
+    btVector3 wind;
     btSoftBody flag;
 
-    World(const Scene& scene, int iterations) : physics(scene), flag(&world.getWorldInfo()) {
-        const Grid& grid = physics.grid;
-        world.setGravity(to_bullet(physics.gravity.acceleration));
-        world.getWorldInfo().m_gravity = to_bullet(physics.gravity.acceleration);
+    World(const Scene& scene, int iterations)
+        : model(model_of(scene)),
+          drag(model.terms.get<AirDrag>()->d),
+          wind(to_bullet(model.terms.get<Wind>()->velocity)),
+          flag(&world.getWorldInfo()) {
+        const Grid& grid = model.grid;
+        const btVector3 gravity = to_bullet(model.terms.get<Gravity>()->acceleration);
+        world.setGravity(gravity);
+        world.getWorldInfo().m_gravity = gravity;
         world.getWorldInfo().air_density = 0;  // drag is the flag's own, below
         flag.appendMaterial()->m_kLST = 1;     // as stiff as its iterations can make it
         for (int j = 0; j < grid.rows; ++j)
             for (int i = 0; i < grid.columns; ++i) {
-                const bool held = is_attached(physics.attach, grid, i, j);
-                flag.appendNode(to_bullet(grid.rest(i, j)),
-                                held ? btScalar(0) : static_cast<btScalar>(physics.material.mass));
+                const double mass = model.held(i, j) ? 0.0 : model.mass(i, j);
+                flag.appendNode(to_bullet(grid.rest(i, j)), static_cast<btScalar>(mass));
             }
-        for_each_spring(grid, physics.material, [&](int i, int j, int i2, int j2, double, double) {
-            flag.appendLink(j * grid.columns + i, j2 * grid.columns + i2);
-        });
+        for_each_spring([&](int a, int b, double) { flag.appendLink(a, b); });
         flag.m_cfg.piterations = iterations;
         flag.m_cfg.collisions = 0;
         flag.randomizeConstraints();
@@ -53,18 +57,32 @@ struct World {
 
     static void blow(btDynamicsWorld* world, btScalar) {
         auto& self = *static_cast<World*>(world->getWorldUserInfo());
-        const auto d = static_cast<btScalar>(self.physics.drag.d);
-        const btVector3 wind = to_bullet(self.physics.wind.wind.mean);
+        const auto d = static_cast<btScalar>(self.drag);
         for (int n = 0; n < self.flag.m_nodes.size(); ++n) {
             auto& node = self.flag.m_nodes[n];
-            if (node.m_im > 0) self.flag.addForce(d * (wind - node.m_v), n);
+            if (node.m_im > 0) self.flag.addForce(d * (self.wind - node.m_v), n);
         }
+    }
+
+    /// Calls visit(one mass, another, rest length) for every spring.
+    template <class Visit>
+    void for_each_spring(Visit&& visit) const {
+        const Grid& grid = model.grid;
+        for (int j = 0; j < grid.rows; ++j)
+            for (int i = 0; i < grid.columns; ++i) {
+                const int n = j * grid.columns + i, below = n + grid.columns;
+                const bool has_right = i + 1 < grid.columns, has_below = j + 1 < grid.rows;
+                if (has_right) visit(n, n + 1, grid.pitch_x);
+                if (has_below) visit(n, below, grid.pitch_y);
+                if (!has_right || !has_below || !model.has_diagonals()) continue;
+                visit(n, below + 1, grid.pitch_diagonal());
+                visit(n + 1, below, grid.pitch_diagonal());
+            }
     }
 
     double greatest_stretch() const {
         double stretch = -1.0;
-        for_each_spring(physics.grid, physics.material, [&](int i, int j, int i2, int j2, double, double length) {
-            const int a = j * physics.grid.columns + i, b = j2 * physics.grid.columns + i2;
+        for_each_spring([&](int a, int b, double length) {
             const double l = (flag.m_nodes[a].m_x - flag.m_nodes[b].m_x).length();
             stretch = std::max(stretch, l / length - 1.0);
         });

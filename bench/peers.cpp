@@ -4,10 +4,13 @@
 
 #include "error.hpp"
 
-#include "drapeau/start.hpp"
+#include "run/engine.hpp"
+
+#include "drapeau/stability.hpp"
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -17,22 +20,21 @@ namespace drapeau::bench {
 
 namespace {
 
-Flight fly_core(const Scene& scene) {
-    const Physics physics(scene);
-    const auto engine = make_engine(physics, Precision::single_precision);
-    const auto flat = flat_start(physics.grid, 0.0);
-    engine->set({flat, std::vector<glm::dvec3>(flat.size(), glm::dvec3(0.0))});
-    const double dt = auto_step(physics.largest_step());
-    const auto steps = static_cast<long long>(batch_seconds / dt + 0.5);
+Flight fly_core(const Case& c) {
+    const auto engine = make_engine(model_of(scene_of(c)), c.method, c.precision);
+    const Clock clock{.dt = auto_step(c.method, engine->model())};
+    const auto steps = std::llround(batch_seconds / clock.dt);
 
     Flight flight{std::numeric_limits<double>::max(), -1.0};
-    for (int frame = 0; frame < frames_flown; ++frame) {
+    Report report;
+    for (long long frame = 0; frame < frames_flown; ++frame) {
         const auto begin = std::chrono::steady_clock::now();
-        engine->advance({.dt = dt}, 0LL + frame * steps, 0LL + (frame + 1) * steps);
+        engine->advance(clock, frame * steps, (frame + 1) * steps, no_step, report, nullptr);
         const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
         if (frame < frames_flown - frames_watched) continue;
         flight.ms_a_frame = std::min(flight.ms_a_frame, ms);
-        flight.greatest_stretch = std::max(flight.greatest_stretch, engine->energy().greatest_stretch);
+        flight.greatest_stretch =
+            std::max(flight.greatest_stretch, engine->measure(clock.at((frame + 1) * steps)).max_stretch);
     }
     return flight;
 }
@@ -50,8 +52,8 @@ void run_peers() {
         int columns, rows;
     };
     for (const auto& [columns, rows] : {Size{45, 30}, Size{128, 128}}) {
-        const Scene scene = flag_scene(columns, rows, Method::semi_implicit_euler, Terms{});
-        const Flight core = fly_core(scene);
+        const Case c{.columns = columns, .rows = rows};
+        const Flight core = fly_core(c);
         std::printf("%d x %d masses\n  %-8s  %-28s  %10s  %10s\n", columns, rows, "who", "how", "ms a frame",
                     "stretch, %");
         print("drapeau", "semi-implicit-euler, auto", core);
@@ -61,7 +63,7 @@ void run_peers() {
         constexpr double about = 1.1;
         bool as_stiff = false;
         for (int substeps = 1; substeps <= most_substeps && !as_stiff; substeps *= 2) {
-            const Flight bullet = fly_bullet(scene, substeps, iterations);
+            const Flight bullet = fly_bullet(scene_of(c), substeps, iterations);
             as_stiff = bullet.greatest_stretch <= about * core.greatest_stretch;
             print("Bullet", std::to_string(substeps) + " substeps of " + std::to_string(iterations) + " iterations",
                   bullet);

@@ -1,6 +1,6 @@
 // Peers: other programs' cloth flying the same flag, where their libraries were found when this was built.
 //
-// All fly the flag of flag_scene from flat for two seconds of simulated time, in frames of 1/60 s. What is compared is
+// All fly the flag of scene_of from flat for two seconds of simulated time, in frames of 1/60 s. What is compared is
 // the time a frame takes at equal greatest stretch: a solver that stops early is fast and lets the cloth grow long.
 #pragma once
 

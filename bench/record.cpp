@@ -39,10 +39,16 @@ const char* heading_of(const Case& c) {
     switch (c.work) {
         case Work::step:
             return "Whole steps, as the programs take them";
+        case Work::watched:
+            return "Whole batches, as the programs take them: steps, ledger, readings, snapshots";
+        case Work::accounted:
+            return "Whole steps that sum the work of every force";
+        case Work::measure:
+            return "Energy and stretch of the state";
         case Work::terms:
             return "Whole steps of a flag composed in C++, its terms switched off one by one";
         case Work::forces:
-            return "Springs' forces stored instead of applied";
+            return "Accelerations stored instead of applied";
         case Work::snapshot:
             return "Snapshot handed to the renderer (the upload by OpenGL is not in it)";
         case Work::copy:
@@ -94,11 +100,12 @@ nlohmann::json to_json(const Machine& machine, const Peaks& peaks, const std::ve
                          {"method", drapeau::name_of(r.c.method)},
                          {"precision", drapeau::name_of(r.c.precision)},
                          {"threads", r.c.threads},
-                         {"terms", r.c.terms.names()},
+                         {"terms", r.c.listing.names()},
                          {"ns_per_mass_step", {{"min", r.ns_min}, {"median", r.ns_median}}},
                          {"repeats", r.repeats},
                          {"ratio_to_report", or_null(r.ratio_to_report)},
                          {"ratio_to_copy", or_null(r.ratio_to_copy)},
+                         {"ratio_to_plain", or_null(r.ratio_to_plain)},
                          {"ratio_to_one_thread", or_null(r.ratio_to_one_thread)},
                          {"floor_ns", r.floor.ns},
                          {"floor_bound_by", r.floor.bound_by},
@@ -138,19 +145,22 @@ void print_head(const Machine& machine, const Peaks& peaks) {
 void print_row(const Record& r, const Record* previous) {
     if (!previous || previous->c.work != r.c.work) {
         std::printf("\n%s\n", heading_of(r.c));
-        std::printf("%11s  %-19s  %-6s  %7s  %-22s  %8s  %8s  %8s  %-10s  %6s  %8s  %7s  %6s  %9s  %7s\n", "grid",
-                    "method", "real", "threads", "terms", "ns min", "median", "floor ns", "set by", "/floor", "faster",
-                    "faster", "copies", "real time", "stretch");
-        std::printf("%11s  %-19s  %-6s  %7s  %-22s  %8s  %8s  %8s  %-10s  %6s  %8s  %7s  %6s  %9s  %7s\n", "masses", "",
-                    "", "", "", "mass-step", "mass-step", "", "", "", "x report", "x one", "a step", "x", "%");
+        constexpr const char* columns =
+            "%11s  %-19s  %-6s  %7s  %-22s  %8s  %8s  %8s  %-10s  %6s  %8s  %7s  %6s  %6s  "
+            "%9s  %7s\n";
+        std::printf(columns, "grid", "method", "real", "threads", "terms", "ns min", "median", "floor ns", "set by",
+                    "/floor", "faster", "faster", "copies", "plain", "real time", "stretch");
+        std::printf(columns, "masses", "", "", "", "", "mass-step", "mass-step", "", "", "", "x report", "x one",
+                    "a step", "steps", "x", "%");
     }
     const std::string grid = std::to_string(r.c.columns) + " x " + std::to_string(r.c.rows);
-    std::printf(
-        "%11s  %-19s  %-6s  %7d  %-22s  %8.3f  %8.3f  %8.3f  %-10s  %6.1f  %8s  %7s  %6s  %9s  %7.2f\n", grid.c_str(),
-        std::string(drapeau::name_of(r.c.method)).c_str(), std::string(drapeau::name_of(r.c.precision)).c_str(),
-        r.c.threads, r.c.terms.label().c_str(), r.ns_min, r.ns_median, r.floor.ns, r.floor.bound_by.c_str(),
-        r.ns_min / r.floor.ns, shown(r.ratio_to_report, "%.2f").c_str(), shown(r.ratio_to_one_thread, "%.2f").c_str(),
-        shown(r.ratio_to_copy, "%.2f").c_str(), shown(r.realtime_factor, "%.4g").c_str(), 100.0 * r.greatest_stretch);
+    std::printf("%11s  %-19s  %-6s  %7d  %-22s  %8.3f  %8.3f  %8.3f  %-10s  %6.1f  %8s  %7s  %6s  %6s  %9s  %7.2f\n",
+                grid.c_str(), std::string(drapeau::name_of(r.c.method)).c_str(),
+                std::string(drapeau::name_of(r.c.precision)).c_str(), r.c.threads, r.c.listing.label().c_str(),
+                r.ns_min, r.ns_median, r.floor.ns, r.floor.bound_by.c_str(), r.ns_min / r.floor.ns,
+                shown(r.ratio_to_report, "%.2f").c_str(), shown(r.ratio_to_one_thread, "%.2f").c_str(),
+                shown(r.ratio_to_copy, "%.2f").c_str(), shown(r.ratio_to_plain, "%.3f").c_str(),
+                shown(r.realtime_factor, "%.4g").c_str(), 100.0 * r.greatest_stretch);
     std::fflush(stdout);
 }
 

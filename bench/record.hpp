@@ -19,6 +19,7 @@ struct Record {
     int repeats = 0;
     std::optional<double> ratio_to_report = {};  // how many times faster than the report's arrangement: min over min
     std::optional<double> ratio_to_copy = {};    // how many plain copies of the state a step takes
+    std::optional<double> ratio_to_plain = {};   // plain steps' time that a step, or a measurement, takes: median
     std::optional<double> ratio_to_one_thread = {};  // how many times faster than one thread: min over min
     Floor floor = {};
     Counts counts = {};

@@ -1,5 +1,7 @@
 #include "report_arrangement.hpp"
 
+#include "drapeau/spring.hpp"
+
 namespace drapeau {
 namespace {
 
@@ -16,30 +18,6 @@ inline vec3 spring_force(const vec3& x, const vec3& v, const vec3& x_other, cons
 }
 
 }  // namespace
-
-template <class Real>
-ReportArrangement<Real>::ReportArrangement(const Model& model, const ReportSurroundings& around)
-    : columns_(model.grid.columns),
-      rows_(model.grid.rows),
-      mass_(static_cast<Real>(model.springs.mass)),
-      gravity_(around.gravity),
-      wind_(around.wind),
-      drag_(static_cast<Real>(around.drag)),
-      diagonals_(model.has_diagonals()),
-      masses_(static_cast<std::size_t>(model.grid.masses())) {
-    const Grid& grid = model.grid;
-    const Springs& springs = model.springs;
-    const auto spring = [&](double k, double length) {
-        return Spring{static_cast<Real>(k), static_cast<Real>(springs.damping.value_or(0.0)),
-                      static_cast<Real>(length)};
-    };
-    along_fly_ = spring(springs.stiffness, grid.pitch_x);
-    down_hoist_ = spring(springs.stiffness, grid.pitch_y);
-    diagonal_ = spring(springs.diagonal_stiffness.value_or(0.0), grid.pitch_diagonal());
-    for (int j = 0; j < rows_; ++j)
-        for (int i = 0; i < columns_; ++i)
-            mass(i, j) = {vec3(grid.rest(i, j)), vec3(0), vec3(0), vec3(0), model.held(i, j)};
-}
 
 template <class Real>
 void ReportArrangement<Real>::set(int i, int j, const glm::dvec3& position, const glm::dvec3& velocity) {

@@ -7,7 +7,6 @@
 #pragma once
 
 #include "drapeau/model.hpp"
-#include "drapeau/spring.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -28,8 +27,28 @@ class ReportArrangement {
 public:
     using vec3 = glm::vec<3, Real>;
 
-    /// All masses at rest at their places in the grid. Of the model, its grid, springs and attachments.
-    ReportArrangement(const Model& model, const ReportSurroundings& around);
+    /// All masses at rest at their places in the grid. Here, because grid and springs are those of whoever calls it,
+    /// who need not be compiled for the same instruction set (isa.hpp).
+    ReportArrangement(const Grid& grid, Attach attach, const Springs& springs, const ReportSurroundings& around)
+        : columns_(grid.columns),
+          rows_(grid.rows),
+          mass_(static_cast<Real>(springs.mass)),
+          gravity_(around.gravity),
+          wind_(around.wind),
+          drag_(static_cast<Real>(around.drag)),
+          diagonals_(springs.diagonal_stiffness.has_value()),
+          masses_(static_cast<std::size_t>(grid.masses())) {
+        const auto spring = [&](double k, double length) {
+            return Spring{static_cast<Real>(k), static_cast<Real>(springs.damping.value_or(0.0)),
+                          static_cast<Real>(length)};
+        };
+        along_fly_ = spring(springs.stiffness, grid.pitch_x);
+        down_hoist_ = spring(springs.stiffness, grid.pitch_y);
+        diagonal_ = spring(springs.diagonal_stiffness.value_or(0.0), grid.pitch_diagonal());
+        for (int j = 0; j < rows_; ++j)
+            for (int i = 0; i < columns_; ++i)
+                mass(i, j) = {vec3(grid.rest(i, j)), vec3(0), vec3(0), vec3(0), is_attached(attach, grid, i, j)};
+    }
 
     /// Takes `steps` steps of dt seconds with semi-implicit Euler (report, eqs. 8 and 9).
     void advance(double dt, int steps);

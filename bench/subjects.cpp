@@ -1,36 +1,84 @@
 #include "subjects.hpp"
 
 #include "cloth_check.hpp"
+#include "composition.hpp"
+#include "evaluation.hpp"
 #include "report_arrangement.hpp"
 
 #include "kernels/kernels.hpp"
+#include "run/engine.hpp"
+#include "run/simulation.hpp"
+#include "run/start_state.hpp"
+
+#include "drapeau/stability.hpp"
 
 #include <cstring>
 
 namespace drapeau::bench {
 namespace {
 
-Physics physics_of(const Case& c) {
-    return Physics(flag_scene(c.columns, c.rows, c.method, c.terms));
+Model case_model(const Case& c) {
+    return model_of(scene_of(c));
 }
 
 class EngineSteps : public Subject {
 public:
-    EngineSteps(const Case& c, const Masses& start)
-        : physics_(physics_of(c)), engine_(make_engine(physics_, c.precision)) {
-        dt = auto_step(physics_.largest_step());
+    EngineSteps(const Case& c, const State<double>& start)
+        : engine_(make_engine(case_model(c), c.method, c.precision)) {
+        dt = auto_step(c.method, engine_->model());
         engine_->use_threads(c.threads);
         engine_->set(start);
-        engine_->keep();
+        // The first step lets the method start, which later ones do not have to.
+        advance(1, no_step);
+        engine_->save(0);
     }
-    void restore() override { engine_->return_to_kept(); }
-    void run(int times) override { engine_->advance({.dt = dt}, 0, times); }
+    void restore() override {
+        engine_->restore(0);
+        steps_ = 1;
+    }
+    void run(int times) override { advance(times, no_step); }
     std::uint64_t hash() const override { return engine_->state_hash(); }
-    double greatest_stretch() const override { return stretch_if_finite(engine_->energy()); }
+    double greatest_stretch() const override { return stretch_if_finite(engine_->measure(now())); }
+    long long steps() const override { return steps_; }
+    State<double> state() const { return engine_->state(now()); }
 
 protected:
-    Physics physics_;
+    void advance(int count, long long accounted) {
+        engine_->advance({.dt = dt}, steps_, steps_ + count, accounted, report_, nullptr);
+        steps_ += count;
+    }
+    double now() const { return static_cast<double>(steps_) * dt; }
+
     std::unique_ptr<Engine> engine_;
+    Report report_;
+    long long steps_ = 0;
+};
+
+class AccountedSteps final : public EngineSteps {
+public:
+    using EngineSteps::EngineSteps;
+    void run(int times) override {
+        for (int n = 0; n < times; ++n) advance(1, steps_);
+    }
+};
+
+class Measurements final : public EngineSteps {
+public:
+    using EngineSteps::EngineSteps;
+    void restore() override {}
+    void run(int times) override {
+        for (int n = 0; n < times; ++n) here_ = engine_->measure(now());
+    }
+    std::uint64_t hash() const override {
+        std::uint64_t hash = 0;
+        for (const double value : {here_.kinetic, here_.elastic, here_.power, here_.mean_stretch, here_.max_stretch,
+                                   here_.rms_force, here_.max_force, here_.moment.x, here_.moment.y, here_.moment.z})
+            hash = mix(hash ^ std::bit_cast<std::uint64_t>(value));
+        return hash;
+    }
+
+private:
+    Measurement here_;
 };
 
 /// What the simulation's thread hands to the window each frame.
@@ -41,140 +89,222 @@ public:
     void run(int times) override {
         for (int n = 0; n < times; ++n) engine_->snapshot(snapshot_);
     }
-    std::uint64_t hash() const override {
-        std::uint64_t hash = 0;
-        for (const auto* component : {&snapshot_.x, &snapshot_.y, &snapshot_.z})
-            for (const float value : *component) hash = mix(hash ^ std::bit_cast<std::uint32_t>(value));
-        return hash;
-    }
+    std::uint64_t hash() const override { return hash_of(0, snapshot_); }
 
 private:
-    Snapshot snapshot_;
+    FieldBuffer<float> snapshot_;
 };
+
+/// Batches as the simulation's thread takes them for the window.
+class WatchedBatches final : public Subject {
+public:
+    explicit WatchedBatches(const Case& c) : scene_(scene_of(c)), threads_(c.threads) {
+        scene_.time.dt = dt = auto_step(c.method, case_model(c));
+        restore();
+        steps_a_time = simulation_->steps_per_batch();
+    }
+    void restore() override {
+        simulation_.emplace(scene_);
+        simulation_->use_threads(threads_);
+        run(1);  // as with plain steps
+    }
+    void run(int times) override {
+        for (int n = 0; n < times; ++n) {
+            diverged_ = diverged_ || simulation_->advance_batch();
+            readings_ = simulation_->recent_readings();
+            simulation_->snapshot(snapshot_);
+        }
+    }
+    std::uint64_t hash() const override { return simulation_->state_hash(); }
+    double greatest_stretch() const override {
+        const Readings here = simulation_->readings();
+        const bool finite = std::isfinite(here.kinetic_energy + here.spring_energy);
+        return finite && !diverged_ ? here.max_stretch : std::numeric_limits<double>::quiet_NaN();
+    }
+    long long steps() const override { return simulation_->steps(); }
+
+private:
+    Scene scene_;
+    int threads_;
+    std::optional<Simulation> simulation_;
+    Readings readings_;
+    Snapshot snapshot_;
+    bool diverged_ = false;
+};
+
+/// Of a state in whatever precision, by the double kernels.
+double greatest_stretch_of(const Case& c, const State<double>& state) {
+    const auto engine = make_engine(case_model(c), c.method, Precision::double_precision);
+    engine->set(state);
+    return stretch_if_finite(engine->measure(0.0));
+}
 
 template <class Real>
 class Forces final : public Subject {
 public:
-    Forces(const Case& c, const Masses& start)
-        : physics_(physics_of(c)),
-          kernel_(find_kernel<Real>(c.method, c.terms.diagonal, c.terms.damping)),
-          cloth_(physics_.grid),
-          fabric_(physics_.grid, physics_.attach, physics_.material),
-          buffers_(cloth_.width()) {
-        set_masses(cloth_, start, physics_.attach);
-        for (auto& component : force_) component = Array<Real>(cloth_.count());
-    }
+    Forces(const Case& c, const State<double>& start) : Forces(c, start, case_model(c)) {}
     void restore() override {}
     void run(int times) override {
-        const ForceRow<Real> force{force_[0].data(), force_[1].data(), force_[2].data()};
-        for (int n = 0; n < times; ++n) kernel_.spring_forces(cloth_.view(), fabric_.view(), force, buffers_);
+        for (int n = 0; n < times; ++n) evaluation_.run();
     }
-    std::uint64_t hash() const override {
-        std::uint64_t hash = 0;
-        for (int j = 0; j < physics_.grid.rows; ++j)
-            for (int i = 0; i < physics_.grid.columns; ++i) {
-                const auto n = static_cast<std::size_t>(j) * cloth_.stride() + i;
-                hash = hash_of(hash, glm::dvec3(force_[0][n], force_[1][n], force_[2][n]));
-            }
-        return hash;
-    }
-    double greatest_stretch() const override { return stretch_if_finite(measure(cloth_, physics_.material)); }
+    std::uint64_t hash() const override { return hash_of(0, evaluation_.result()); }
+    double greatest_stretch() const override { return greatest_stretch_of(case_, start_); }
 
 private:
-    Physics physics_;
-    const Kernel<Real>& kernel_;
-    Cloth<Real> cloth_;
-    Fabric<Real> fabric_;
-    SweepBuffers<Real> buffers_;
-    Array<Real> force_[3];
+    Forces(const Case& c, const State<double>& start, const Model& model)
+        : case_(c),
+          start_(start),
+          evaluation_(model, find_kernels<Real>(c.method, model.has_diagonals(), model.is_damped()), start,
+                      auto_step(c.method, model)) {}
+
+    const Case case_;
+    const State<double>& start_;
+    Evaluation<Real> evaluation_;
 };
+
+template <class Real>
+State<Real> in(const State<double>& state) {
+    State<Real> other(state.columns(), state.rows());
+    other.position.take(state.position);
+    other.velocity.take(state.velocity);
+    return other;
+}
 
 template <class Real>
 class Copies final : public Subject {
 public:
-    Copies(const Case& c, const Masses& start) : physics_(physics_of(c)), from_(physics_.grid), to_(physics_.grid) {
-        set_masses(from_, start, physics_.attach);
-    }
+    Copies(const Case& c, const State<double>& start)
+        : case_(c), start_(start), from_(in<Real>(start)), to_(c.columns, c.rows) {}
     void restore() override {}
     void run(int times) override {
-        for (int n = 0; n < times; ++n)
-            for (int c = 0; c < 6; ++c) {
-                std::memcpy(to_.component(c).data(), from_.component(c).data(), from_.count() * sizeof(Real));
-                asm volatile("" ::: "memory");  // every copy is made, not only the last
-            }
+        for (int n = 0; n < times; ++n) copy(from_.position, to_.position), copy(from_.velocity, to_.velocity);
     }
-    std::uint64_t hash() const override { return hash_of(to_, physics_.grid); }
-    double greatest_stretch() const override { return stretch_if_finite(measure(to_, physics_.material)); }
+    std::uint64_t hash() const override { return hash_of(to_); }
+    double greatest_stretch() const override { return greatest_stretch_of(case_, start_); }
 
 private:
-    Physics physics_;
-    Cloth<Real> from_, to_;
+    static void copy(const FieldBuffer<Real>& from, FieldBuffer<Real>& to) {
+        for (int c = 0; c < 3; ++c) {
+            std::memcpy(to.component(c).data(), from.component(c).data(), from.component(c).size() * sizeof(Real));
+            asm volatile("" ::: "memory");  // every copy is made, not only the last
+        }
+    }
+
+    const Case case_;
+    const State<double>& start_;
+    State<Real> from_, to_;
 };
 
 template <class Real>
 class ReportSteps final : public Subject {
 public:
-    ReportSteps(const Case& c, const Masses& start)
-        : physics_(physics_of(c)),
-          start_(start),
-          flag_(physics_.grid, physics_.attach, physics_.material,
-                {.gravity = physics_.gravity.acceleration, .wind = physics_.wind.wind.mean, .drag = physics_.drag.d}) {
-        dt = auto_step(physics_.largest_step());
+    ReportSteps(const Case& c, const State<double>& start) : case_(c), start_(start), flag_(arranged(c)) {
+        dt = auto_step(c.method, case_model(c));
         restore();
     }
     void restore() override {
-        std::size_t n = 0;
-        for (int j = 0; j < physics_.grid.rows; ++j)
-            for (int i = 0; i < physics_.grid.columns; ++i, ++n) flag_.set(i, j, start_.x[n], start_.v[n]);
+        for (int j = 0; j < case_.rows; ++j)
+            for (int i = 0; i < case_.columns; ++i) flag_.set(i, j, start_.position.at(i, j), start_.velocity.at(i, j));
     }
     void run(int times) override { flag_.advance(dt, times); }
-    std::uint64_t hash() const override { return hash_of(flag_, physics_.grid); }
-    double greatest_stretch() const override {
-        Cloth<Real> cloth(physics_.grid);
-        for (int j = 0; j < physics_.grid.rows; ++j)
-            for (int i = 0; i < physics_.grid.columns; ++i) {
-                cloth.set_position(i, j, flag_.position(i, j));
-                cloth.set_velocity(i, j, flag_.velocity(i, j));
-            }
-        return stretch_if_finite(measure(cloth, physics_.material));
-    }
+    std::uint64_t hash() const override { return hash_of(state()); }
+    double greatest_stretch() const override { return greatest_stretch_of(case_, state()); }
 
 private:
-    Physics physics_;
-    const Masses& start_;
+    static ReportArrangement<Real> arranged(const Case& c) {
+        const Scene scene = scene_of(c);
+        const Model model = model_of(scene);
+        const auto& terms = model.terms;
+        return {model.grid,
+                scene.flag.attach,
+                model.springs,
+                {.gravity = terms.get<Gravity>()->acceleration,
+                 .wind = terms.get<Wind>()->velocity,
+                 .drag = terms.get<AirDrag>()->d}};
+    }
+    State<double> state() const {
+        State<double> state(case_.columns, case_.rows);
+        for (int j = 0; j < case_.rows; ++j)
+            for (int i = 0; i < case_.columns; ++i) {
+                state.position.set(i, j, flag_.position(i, j));
+                state.velocity.set(i, j, flag_.velocity(i, j));
+            }
+        return state;
+    }
+
+    const Case case_;
+    const State<double>& start_;
     ReportArrangement<Real> flag_;
 };
 
+std::unique_ptr<Subject> composition(const Case& c, const State<double>& start) {
+    const Scene scene = scene_of(c);
+    const Model model = model_of(scene);
+    const Grid& grid = model.grid;
+    const Springs& springs = model.springs;
+    const auto& gravity = model.terms.get<Gravity>();
+    const auto& drag = model.terms.get<AirDrag>();
+    const auto& wind = model.terms.get<Wind>();
+    const glm::dvec3 g = gravity ? gravity->acceleration : glm::dvec3(0.0);
+    const glm::dvec3 w = wind ? wind->velocity : glm::dvec3(0.0);
+    return make_composition({.columns = grid.columns,
+                             .rows = grid.rows,
+                             .pitch_x = grid.pitch_x,
+                             .pitch_y = grid.pitch_y,
+                             .attach = scene.flag.attach,
+                             .mass = springs.mass,
+                             .stiffness = springs.stiffness,
+                             .diagonal_stiffness = springs.diagonal_stiffness.value_or(0.0),
+                             .damping = springs.damping.value_or(0.0),
+                             .gravity = {g.x, g.y, g.z},
+                             .drag = drag ? drag->d : 0.0,
+                             .wind = {w.x, w.y, w.z},
+                             .has_diagonals = model.has_diagonals(),
+                             .is_damped = model.is_damped(),
+                             .has_gravity = gravity.has_value(),
+                             .has_drag = drag.has_value(),
+                             .has_wind = wind.has_value(),
+                             .in_double = c.precision == Precision::double_precision,
+                             .position = start.position.view(),
+                             .velocity = start.velocity.view()});
+}
+
 template <template <class> class SubjectOf>
-std::unique_ptr<Subject> in_precision(const Case& c, const Masses& start) {
+std::unique_ptr<Subject> in_precision(const Case& c, const State<double>& start) {
     if (c.precision == Precision::double_precision) return std::make_unique<SubjectOf<double>>(c, start);
     return std::make_unique<SubjectOf<float>>(c, start);
 }
 
-Masses rippled(const Grid& grid) {
+State<double> rippled(const Grid& grid) {
     constexpr double pi = 3.14159265358979323846;
     constexpr double wave_length = 0.6, amplitude = 0.04, wave_speed = 3.0;  // m, m, m/s
     constexpr double shortening = 0.95;                                      // the cloth's length goes into the ripple
-    Masses masses;
+    State<double> state(grid.columns, grid.rows);
     for (int j = 0; j < grid.rows; ++j)
         for (int i = 0; i < grid.columns; ++i) {
             const auto rest = grid.rest(i, j);
             const double phase = 2.0 * pi * (rest.x + 0.3 * rest.y) / wave_length;
             const double slope = 2.0 * pi / wave_length * amplitude * std::cos(phase);
-            masses.x.push_back({shortening * rest.x, rest.y, amplitude * std::sin(phase)});
-            masses.v.push_back({0.1 * std::sin(phase), -0.1 * std::cos(phase), -wave_speed * slope});
+            state.position.set(i, j, {shortening * rest.x, rest.y, amplitude * std::sin(phase)});
+            state.velocity.set(i, j, {0.1 * std::sin(phase), -0.1 * std::cos(phase), -wave_speed * slope});
         }
-    return masses;
+    return state;
 }
 
 }  // namespace
 
-std::unique_ptr<Subject> make_subject(const Case& c, const Masses& start) {
+std::unique_ptr<Subject> make_subject(const Case& c, const State<double>& start) {
     switch (c.work) {
         case Work::step:
             return std::make_unique<EngineSteps>(c, start);
+        case Work::watched:
+            return std::make_unique<WatchedBatches>(c);
+        case Work::accounted:
+            return std::make_unique<AccountedSteps>(c, start);
+        case Work::measure:
+            return std::make_unique<Measurements>(c, start);
         case Work::terms:
-            return make_composition(c, start);
+            return composition(c, start);
         case Work::forces:
             return in_precision<Forces>(c, start);
         case Work::snapshot:
@@ -187,23 +317,23 @@ std::unique_ptr<Subject> make_subject(const Case& c, const Masses& start) {
     return in_precision<ReportSteps>(c, start);
 }
 
-const Masses& start_state(int columns, int rows) {
-    // Large states are kept one at a time; cases come with their grids in order.
-    static int kept_columns = 0, kept_rows = 0;
-    static Masses kept;
-    if (columns == kept_columns && rows == kept_rows) return kept;
-    kept = {};
-    const Physics physics(flag_scene(columns, rows, Method::semi_implicit_euler, Terms{}));
-    const auto engine = make_engine(physics, Precision::double_precision);
-    engine->set(rippled(physics.grid));
-    engine->advance({.dt = auto_step(physics.largest_step())}, 0, 32);
-    kept = engine->masses();
-    kept_columns = columns, kept_rows = rows;
-    return kept;
+std::unique_ptr<Subject> make_plain_rival(const Case& c, const State<double>& start) {
+    return std::make_unique<EngineSteps>(c, c.work == Work::watched ? start_state(scene_of(c)) : start);
 }
 
-double auto_step(double largest_stable) {
-    return whole_steps_per_batch(std::min(0.9 * largest_stable, batch_seconds));
+const State<double>& flying_state(int columns, int rows) {
+    // Large states are kept one at a time; cases come with their grids in order.
+    static State<double> kept;
+    if (columns == kept.columns() && rows == kept.rows()) return kept;
+    EngineSteps flag({.columns = columns, .rows = rows, .precision = Precision::double_precision},
+                     rippled(case_model({.columns = columns, .rows = rows}).grid));
+    flag.run(31);
+    return kept = flag.state();
+}
+
+double auto_step(Method method, const Model& model) {
+    const auto coarsest = with_method(method, [](const auto& m) { return std::decay_t<decltype(m)>::coarsest_step; });
+    return whole_steps_per_batch(std::min(automatic_share(model) * stable_step(method, model).seconds(), coarsest));
 }
 
 }  // namespace drapeau::bench

@@ -1,39 +1,23 @@
-// Subjects: what is timed, each able to return to its start state and to repeat its work.
+// Subjects of the cases.
 #pragma once
 
 #include "cases.hpp"
+#include "subject.hpp"
 
-#include "run/engine.hpp"
-
-#include <cstdint>
 #include <memory>
 
 namespace drapeau::bench {
 
-class Subject {
-public:
-    virtual ~Subject() = default;
-    virtual void restore() = 0;
-    /// Does the work `times` times: as many steps, copies, evaluations.
-    virtual void run(int times) = 0;
-    /// Of the bits of the result, padding excluded; comparable among subjects of the same work and precision.
-    virtual std::uint64_t hash() const = 0;
-    /// Of the state (share); NaN if it is not finite.
-    virtual double greatest_stretch() const = 0;
+/// The subject of a case, in its start state; `start` outlives it. Watched batches begin at rest, as programs do.
+std::unique_ptr<Subject> make_subject(const Case& c, const State<double>& start);
 
-    double dt = 0.0;  // s, the step of subjects that take steps
-};
-
-/// The subject of a case, in its start state.
-std::unique_ptr<Subject> make_subject(const Case& c, const Masses& start);
-
-/// Whole steps of a flag composed in C++ from the case's terms.
-std::unique_ptr<Subject> make_composition(const Case& c, const Masses& start);
+/// The plain steps that a case of watched, accounted or measured ones is compared with, of the same state.
+std::unique_ptr<Subject> make_plain_rival(const Case& c, const State<double>& start);
 
 /// A flag in flight: rippled, every mass moving, flown for a moment by the core in double.
-const Masses& start_state(int columns, int rows);
+const State<double>& flying_state(int columns, int rows);
 
-/// The step (s) "auto" takes: 0.9 of the stable one, a whole number of them in 1/60 s.
-double auto_step(double largest_stable);
+/// The step (s) that "auto" takes.
+double auto_step(Method method, const Model& model);
 
 }  // namespace drapeau::bench

@@ -39,9 +39,10 @@ std::vector<Timing> time_in_turns(std::span<const Contender> contenders, double 
             seconds[c].push_back(seconds_for(*contenders[c].subject, times[c]) / times[c]);
 
     std::vector<Timing> timings;
-    for (auto& all : seconds) {
+    for (auto& turns : seconds) {
+        auto all = turns;
         std::sort(all.begin(), all.end());
-        timings.push_back({all.front(), all[all.size() / 2], static_cast<int>(all.size())});
+        timings.push_back({all.front(), all[all.size() / 2], std::move(turns)});
     }
     return timings;
 }

@@ -1,9 +1,10 @@
 // Timing: subjects in turns, so that a noisy machine is noisy for all of them, each from its start state every time.
 #pragma once
 
-#include "subjects.hpp"
+#include "subject.hpp"
 
 #include <span>
+#include <vector>
 
 namespace drapeau::bench {
 
@@ -15,7 +16,7 @@ struct Contender {
 /// Seconds for doing the work once.
 struct Timing {
     double min = 0.0, median = 0.0;
-    int repeats = 0;
+    std::vector<double> turns;  // as they were taken: turn n of one contender stands beside turn n of another
 };
 
 /// Warms every contender up, then repeats them in turns for `budget` seconds each and five times at least.

@@ -1,7 +1,7 @@
 // Pace: simulated time follows the wall clock, and what could not be asked for is never caught up.
 #include "catch.hpp"
 
-#include "simulation.hpp"
+#include "drapeau/stability.hpp"
 #include "viewer/pace.hpp"
 
 using namespace drapeau;

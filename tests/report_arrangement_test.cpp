@@ -26,7 +26,7 @@ Difference fly_both(const Grid& grid, Attach attach, const Springs& of, double p
         Terms().add(Gravity{around.gravity}).add(AirDrag{around.drag}).add(Wind{.velocity = around.wind}));
     const auto start = points_of(flat_start(grid, prestretch).position);
     Sheet<double, SemiImplicitEuler> core(model, start, at_rest(model));
-    ReportArrangement<double> report(model, around);
+    ReportArrangement<double> report(grid, attach, of, around);
     for (int j = 0; j < grid.rows; ++j)
         for (int i = 0; i < grid.columns; ++i)
             report.set(i, j, start[static_cast<std::size_t>(j) * grid.columns + i], glm::dvec3(0.0));

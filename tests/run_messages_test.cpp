@@ -33,6 +33,12 @@ Moment failed(long long revision, const std::string& why) {
     return moment;
 }
 
+Moment lowered(long long revision, const std::string& why) {
+    Moment moment = running(revision);
+    moment.lowered_because = why;
+    return moment;
+}
+
 struct Window {
     Session session;
     RunMessages messages;
@@ -128,4 +134,39 @@ TEST_CASE("a refusal while the run stands is told, and the standstill not again"
     CHECK(window.shown() == "too large");
     window.hear(moment, 1);
     CHECK(window.shown() == "too large");
+}
+
+TEST_CASE("a lowered step is told once a scene, as a sentence that goes by itself") {
+    Window window;
+    window.hear(lowered(0, "it creates energy"), 0);
+    CHECK(window.shown() == "It creates energy.");
+    CHECK(!window.session.message.trouble);
+    CHECK(window.session.message.seconds_left > 0.0);
+    window.close();
+    for (const std::string why : {"it creates energy", "", "it creates more energy"}) {
+        window.hear(lowered(0, why), 0);
+        CHECK(window.shown().empty());
+    }
+    window.hear(lowered(1, "it creates energy"), 1);
+    CHECK(window.shown() == "It creates energy.");
+}
+
+TEST_CASE("a lowered step takes no other message's place, and is told once that is closed") {
+    Window window;
+    window.hear(refused(0, 1, "too large"), 1);
+    window.hear(lowered(0, "it creates energy"), 1);
+    CHECK(window.shown() == "too large");
+    window.close();
+    window.hear(lowered(0, "it creates energy"), 1);
+    CHECK(window.shown() == "It creates energy.");
+}
+
+TEST_CASE("of a run that stands only that is told") {
+    Window window;
+    Moment moment = diverged(0, "it stands");
+    moment.lowered_because = "it creates energy";
+    window.hear(moment, 0);
+    window.close();
+    window.hear(moment, 0);
+    CHECK(window.shown().empty());
 }

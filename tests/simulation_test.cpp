@@ -1,12 +1,16 @@
 // Simulation: a run keeps its time, its bits and, through a change of settings, its state.
 #include "catch.hpp"
-#include "physics_sheet.hpp"
+#include "all_methods.hpp"
 #include "run/simulation.hpp"
 
+#include "drapeau/stability.hpp"
+
+#include <cmath>
+#include <limits>
 #include <set>
+#include <vector>
 
 using namespace drapeau;
-using namespace drapeau::testing;
 
 namespace {
 
@@ -19,8 +23,8 @@ Scene small(Precision precision = Precision::double_precision) {
                      .damping = 0.002,
                      .drag = 0.002,
                      .friction = {}};
-    scene.gravity = GravitySettings{};
-    scene.wind = WindSettings{{4.0, 0.0, 1.0}, {1.0, 0.5, 1.0}, 1.5, 1};
+    scene.gravity() = Gravity{};
+    scene.wind() = Wind{.velocity = {4.0, 0.0, 1.0}, .gusts = {1.0, 0.5, 1.0}};
     scene.time.precision = precision;
     return scene;
 }
@@ -28,14 +32,21 @@ Scene small(Precision precision = Precision::double_precision) {
 /// Position and velocity of one mass.
 struct Mass {
     glm::dvec3 x, v;
+    bool operator==(const Mass&) const = default;
 };
 std::vector<Mass> masses(const Simulation& simulation) {
     const auto state = simulation.state();
     std::vector<Mass> all;
-    for (std::size_t n = 0; n < state.size(); n += 6)
-        all.push_back({{state[n], state[n + 1], state[n + 2]}, {state[n + 3], state[n + 4], state[n + 5]}});
+    for (int j = 0; j < state.rows(); ++j)
+        for (int i = 0; i < state.columns(); ++i) all.push_back({state.position.at(i, j), state.velocity.at(i, j)});
     return all;
 }
+
+double length(const glm::dvec3& a) {
+    return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
+}
+template <class Real>
+constexpr double epsilon = std::numeric_limits<Real>::epsilon();
 
 void run(Simulation& simulation, int batches) {
     for (int n = 0; n < batches; ++n) REQUIRE_FALSE(simulation.advance_batch());
@@ -70,7 +81,7 @@ TEST_CASE("A whole number of equal steps fills a batch", "[physics]") {
     scene.time.dt = 3e-4;
     Simulation simulation(scene);
     CHECK(simulation.steps_per_batch() == 56);
-    CHECK(simulation.steps_per_batch() * simulation.dt() == Approx(batch_seconds).epsilon(1e-15));
+    CHECK(static_cast<double>(simulation.steps_per_batch()) * simulation.dt() == Approx(batch_seconds).epsilon(1e-15));
 }
 
 TEST_CASE("Time is a whole number of steps", "[physics]") {
@@ -99,7 +110,7 @@ TEST_CASE("The same scene gives the same bits, however its steps are grouped", "
             Simulation a(scene), b(scene), one_by_one(scene), halves(scene);
             run(a, 20), run(b, 20);
             CHECK(a.state_hash() == b.state_hash());
-            CHECK(a.state() == b.state());
+            CHECK(masses(a) == masses(b));
             for (long long n = 0; n < a.steps(); ++n) REQUIRE_FALSE(one_by_one.advance_steps(1));
             CHECK(one_by_one.state_hash() == a.state_hash());
             REQUIRE_FALSE(halves.advance_steps(a.steps() / 2));
@@ -117,9 +128,9 @@ TEST_CASE("The same scene gives the same bits, however its steps are grouped", "
         }
 }
 
-TEST_CASE("Any number of threads gives the bits of one, in the kernels as they are built", "[physics]") {
+TEST_CASE("Any number of threads gives the bits of one, in the kernels as they are built", "[physics][threads]") {
     for (const auto precision : {Precision::single_precision, Precision::double_precision})
-        for (const auto method : {Method::forward_euler, Method::semi_implicit_euler})
+        for (const auto method : all_methods())
             for (const bool all_terms : {false, true}) {
                 Scene scene = small(precision);
                 scene.flag.columns = 70, scene.flag.rows = 67;  // enough masses for threads to be worth it
@@ -147,9 +158,9 @@ TEST_CASE("The hash sees every bit", "[physics]") {
     // After one step of forward Euler under a gravity a little larger along one axis only that velocity differs.
     for (int axis = 0; axis < 3; ++axis) {
         Scene one = scene, two = scene;
-        one.time.method = two.time.method = Method::forward_euler;
+        one.time.method = two.time.method = method_id<ForwardEuler>;
         one.time.dt = two.time.dt = 1e-5;
-        two.gravity->acceleration[axis] += 1e-6;
+        two.gravity()->acceleration[axis] += 1e-6;
         Simulation a(one), b(two);
         REQUIRE_FALSE(a.advance_steps(1));
         REQUIRE_FALSE(b.advance_steps(1));
@@ -166,15 +177,15 @@ TEST_CASE("The hash sees every bit", "[physics]") {
 }
 
 TEST_CASE("Float and double agree to float's precision", "[physics]") {
-    for (const auto method : {Method::forward_euler, Method::semi_implicit_euler}) {
+    for (const auto method : all_methods()) {
         Scene narrow = small(Precision::single_precision), wide = small(Precision::double_precision);
         narrow.time.method = wide.time.method = method;
-        narrow.time.dt = wide.time.dt = method == Method::forward_euler ? 1e-5 : 5e-4;
+        narrow.time.dt = wide.time.dt = method == method_id<ForwardEuler> ? 1e-5 : 5e-4;
         Simulation a(narrow), b(wide);
         run(a, 12), run(b, 12);  // 0.2 s: before the flag's motion tells the two apart
         // Each of n steps rounds x (1.5 m) by eps/2 and v so that x is off by another eps a step: a random walk of
         // sqrt(n) * 1.5 eps, for 400 steps 3.6e-6 m and for 20000 of them 2.5e-5 m, a few times over.
-        CHECK(distance(a, b) < (method == Method::forward_euler ? 1e-4 : 2e-5));
+        CHECK(distance(a, b) < (method == method_id<ForwardEuler> ? 1e-4 : 2e-5));
         CHECK(distance(b, Simulation(wide)) > 0.01);
     }
 }
@@ -183,18 +194,18 @@ TEST_CASE("A change of settings keeps time, place and velocity", "[physics]") {
     for (const auto precision : {Precision::single_precision, Precision::double_precision}) {
         Simulation simulation(small(precision));
         run(simulation, 10);
-        const auto state = simulation.state();
+        const auto state = masses(simulation);
         const double time = simulation.time();
         const auto steps = simulation.steps();
         Scene changed = small(precision);
         changed.springs.stiffness = 300.0;
         changed.springs.damping.reset();
         changed.springs.diagonal_stiffness.reset();
-        changed.wind->velocity = {0.0, 0.0, 5.0};
-        changed.time.method = Method::forward_euler;
+        changed.wind()->velocity = {0.0, 0.0, 5.0};
+        changed.time.method = method_id<ForwardEuler>;
         changed.time.dt = 1e-5;
         simulation.change(changed);
-        CHECK(simulation.state() == state);
+        CHECK(masses(simulation) == state);
         CHECK(simulation.time() == time);
         CHECK(simulation.steps() == steps);
         CHECK(simulation.scene() == changed);
@@ -215,8 +226,8 @@ TEST_CASE("An impossible change is refused and changes nothing", "[physics]") {
     impossible.springs.mass = -1.0;
     CHECK_THROWS(simulation.change(impossible));
     impossible = small();
-    impossible.time.method = Method::forward_euler;
-    impossible.springs.drag.reset(), impossible.wind.reset();
+    impossible.time.method = method_id<ForwardEuler>;
+    impossible.springs.drag.reset(), impossible.wind().reset();
     CHECK_THROWS(simulation.change(impossible));
     CHECK(simulation.state_hash() == hash);
     CHECK(simulation.scene() == small());
@@ -228,7 +239,7 @@ TEST_CASE("Another grid sees the flag as it was: a linear field is carried over 
     Scene scene = small();
     scene.flag.attach = Attach::none;
     scene.flag.prestretch = 0.1;
-    scene.wind->gusts = glm::dvec3(0.0);
+    scene.wind()->gusts = glm::dvec3(0.0);
     Simulation simulation(scene);
     REQUIRE_FALSE(simulation.advance_batch());
     const auto at = [](const Simulation& s, int i, int j) {
@@ -252,14 +263,14 @@ TEST_CASE("Another grid sees the flag as it was: a linear field is carried over 
     // In motion: corners are carried over as they are, and back on its own grid every mass is.
     Scene finer = scene;
     finer.flag.columns = 21, finer.flag.rows = 13;
-    const auto before = simulation.state();
+    const auto before = masses(simulation);
     simulation.change(finer);
     CHECK(length(at(simulation, 20, 12).x - corner.x) < 8 * epsilon<double>);
     CHECK(length(at(simulation, 20, 12).v - corner.v) < 8 * epsilon<double> * 10.0);
     simulation.change(scene);
-    const auto after = simulation.state();
+    const auto after = masses(simulation);
     double worst = 0.0;
-    for (std::size_t n = 0; n < before.size(); ++n) worst = std::max(worst, std::abs(after[n] - before[n]));
+    for (std::size_t n = 0; n < before.size(); ++n) worst = std::max({worst, length(after[n].x - before[n].x), length(after[n].v - before[n].v)});
     CHECK(worst < 100 * epsilon<double>);  // two interpolations of numbers below 10
 }
 
@@ -287,7 +298,7 @@ TEST_CASE("Attached masses stand exactly where the start has them, on any grid",
 }
 
 TEST_CASE("Every attachment holds just the masses it names", "[physics]") {
-    for (const auto method : {Method::forward_euler, Method::semi_implicit_euler})
+    for (const auto method : all_methods())
         for (const auto precision : {Precision::single_precision, Precision::double_precision})
             for (const auto& [columns, rows] : {std::pair{11, 7}, {17, 2}, {2, 5}, {1, 8}, {9, 1}})
                 for (const auto attach : attachments) {
@@ -341,10 +352,13 @@ TEST_CASE("A hanging start is at rest", "[physics]") {
         Scene scene = small();
         scene.flag.attach = attach;
         scene.flag.start = Start::hanging;
-        scene.wind.reset();
+        scene.wind().reset();
         Simulation simulation(scene);
         const auto start = masses(simulation);
         for (const auto& mass : start) CHECK(mass.v == glm::dvec3(0.0));
+        // Nothing weighs on one spring with more than twice all that hangs: 2 * 77 m g / k over the shorter cell.
+        CHECK(simulation.readings().max_stretch < 2.0 * 77.0 * 0.001 * 9.8 / 200.0 / 0.15);
+        CHECK(simulation.readings().kinetic_energy == 0.0);
         // Left alone for a second it stays: settled to 1e-4 m/s (root mean square), it drifts no further than 1 cm,
         // where a flag let go flat falls by a metre.
         run(simulation, 60);
@@ -352,7 +366,6 @@ TEST_CASE("A hanging start is at rest", "[physics]") {
         double most = 0.0;
         for (std::size_t n = 0; n < start.size(); ++n) most = std::max(most, length(later[n].x - start[n].x));
         CHECK(most < 0.01);
-        CHECK(simulation.readings().greatest_stretch < 0.2);
         CHECK(simulation.readings().gravity_energy < -0.2 * 77 * 0.001 * 9.8 * 0.5);  // it hangs down
     }
 }
@@ -363,7 +376,7 @@ TEST_CASE("A crumpled start is folded, the same each time, its rows no longer an
         scene.flag.attach = attach;
         scene.flag.start = Start::crumpled;
         const Simulation simulation(scene), again(scene);
-        CHECK(simulation.state() == again.state());
+        CHECK(masses(simulation) == masses(again));
         const auto all = masses(simulation);
         double depth = 0.0;
         for (int j = 0; j < 7; ++j)

@@ -4,7 +4,9 @@
 
 #include "viewer/simulation_thread.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <iterator>
@@ -22,8 +24,8 @@ Scene sheet(int columns = 12, int rows = 8) {
     scene.flag.columns = columns, scene.flag.rows = rows;
     scene.springs.damping = 0.002;
     scene.springs.drag = 0.0002;
-    scene.gravity = GravitySettings{};
-    scene.wind = WindSettings{{5.0, 0.0, 1.0}, {1.0, 0.5, 1.0}, 1.5, 1};
+    scene.gravity() = Gravity{};
+    scene.wind() = Wind{.velocity = {5.0, 0.0, 1.0}, .gusts = {1.0, 0.5, 1.0}};
     return scene;
 }
 
@@ -76,9 +78,10 @@ Snapshot after_batches(const Scene& scene, int batches) {
 void check_same(const Snapshot& a, const Snapshot& b) {
     CHECK(a.steps == b.steps);
     CHECK(a.time == b.time);
-    CHECK(a.x == b.x);
-    CHECK(a.y == b.y);
-    CHECK(a.z == b.z);
+    for (int c = 0; c < 3; ++c) {
+        const auto &from = a.position.component(c), &to = b.position.component(c);
+        CHECK(std::equal(from.begin(), from.end(), to.begin(), to.end()));
+    }
 }
 
 std::ptrdiff_t threads_of_this_program() {
@@ -120,12 +123,53 @@ TEST_CASE("a single step is one step") {
     CHECK(moment.snapshot.time == Approx(3 * moment.dt));
 }
 
+TEST_CASE("readings are of the moment itself after a step or a change, and never far behind it while the flag plays") {
+    SimulationThread thread{Simulation(sheet())};
+    CHECK(newest_of(thread).readings.time == 0.0);
+    for (int batch = 1; batch <= 100; ++batch) {
+        thread.ask_batches(1);
+        const Moment moment = newest_of(thread);
+        CHECK(moment.readings.time <= moment.snapshot.time);
+        CHECK(moment.readings.time > moment.snapshot.time - 1.0);
+    }
+    thread.ask_step();
+    const Moment stepped = newest_of(thread);
+    CHECK(stepped.readings.time == stepped.snapshot.time);
+    thread.ask_batches(1);
+    thread.wait();
+    Scene windless = sheet();
+    windless.wind().reset();
+    thread.apply(windless, 1);
+    const Moment changed = newest_of(thread);
+    CHECK(changed.readings.time == changed.snapshot.time);
+}
+
+TEST_CASE("springs are drawn with the rest lengths and stiffnesses of the model") {
+    Scene scene = sheet(4, 3);
+    scene.flag.width = 1.5, scene.flag.height = 1.0;
+    scene.springs.stiffness = 50.0;
+    SimulationThread thread{Simulation(scene)};
+    CHECK(newest_of(thread).kinds == SpringKinds{.fly = {0.5f, 50.0f}, .hoist = {0.5f, 50.0f}, .diagonal = {}});
+
+    scene.springs.diagonal_stiffness = 20.0;
+    thread.apply(scene, 1);
+    const SpringKind diagonal = newest_of(thread).kinds.diagonal;
+    CHECK(diagonal.rest == Approx(std::sqrt(0.5)));
+    CHECK(diagonal.stiffness == 20.0f);
+
+    // A chain has no springs across, whatever its width.
+    scene.flag.columns = 1;
+    scene.springs.diagonal_stiffness.reset();
+    thread.restart(scene, 2);
+    CHECK(newest_of(thread).kinds == SpringKinds{.fly = {}, .hoist = {0.5f, 50.0f}, .diagonal = {}});
+}
+
 TEST_CASE("a change goes on from where the run is, a restart from the start") {
     SimulationThread thread{Simulation(sheet())};
     thread.ask_batches(5);
     thread.wait();
     Scene windless = sheet();
-    windless.wind.reset();
+    windless.wind().reset();
     thread.apply(windless, 1);
     const Moment changed = newest_of(thread);
     CHECK(changed.revision == 1);
@@ -147,7 +191,7 @@ TEST_CASE("of several changes asked for at once the last counts, and a restart a
     thread.apply(sheet(30, 10), 3);
     const Moment moment = newest_of(thread);
     CHECK(moment.revision == 3);
-    CHECK(moment.snapshot.columns == 30);
+    CHECK(moment.snapshot.position.columns() == 30);
     CHECK(moment.snapshot.time == 0.0);
 }
 
@@ -157,7 +201,7 @@ TEST_CASE("a change while a batch runs is taken before the next") {
     const Moment before = wait_for(thread, [](const Moment& moment) { return moment.snapshot.steps > 0; });
     // A flag as slow, so that hardly a batch of it is done before its first moment is seen.
     Scene changed = large();
-    changed.wind.reset();
+    changed.wind().reset();
     thread.apply(changed, 1);
     const Moment after = wait_for(thread, [](const Moment& moment) { return moment.revision == 1; });
     // One batch may have been done between looking and asking, one between the change and the look.
@@ -265,7 +309,7 @@ TEST_CASE("whatever is thrown while the run advances becomes a message, and the 
         const Moment failed = newest_of(thread);
         CHECK(failed.failure.find(said) != std::string::npos);
         CHECK(failed.stands());
-        CHECK(failed.snapshot.columns == 100);  // the last picture there was
+        CHECK(failed.snapshot.position.columns() == 100);  // the last picture there was
         CHECK(thread.backlog() == 0);
 
         thread.ask_batches(3);

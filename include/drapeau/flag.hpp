@@ -46,10 +46,8 @@ public:
     Flag(const Grid& grid, Attach attach, const Cloth& cloth, const Listed&... listed)
         : model_(model_of(grid, attach, cloth, listed...)),
           stepper_(model_, kernels_of<Vector<Real>, Method, damped, diagonals, rated>()) {
-        const auto limit = stable_step(Method{}, model_);
-        set_step(whole_steps_per_batch(
-            limit.is_none() ? batch_seconds
-                            : std::min(automatic_share(model_) * limit.seconds(), Method::coarsest_step)));
+        const bool none = largest_stable_step().is_none();
+        set_step(whole_steps_per_batch(none ? batch_seconds : automatic_step(Method{}, model_)));
     }
 
     /// Shares the work among so many threads; the result is the same for any number. Throws std::system_error where the

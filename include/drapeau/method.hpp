@@ -1,6 +1,8 @@
 // Method: what methods of integration are made of. A method is one file in methods/, a type with these members:
 //
 //   name, order, coarsest_step   its name in files, its order, the largest step (s) that anyone would want
+//   creates_energy, dissipates_energy   by nature, where nothing damps
+//   automatic                    the share of the usual automatic step that suits it (1)
 //   passes, stage_time, weight   force evaluations a step; of each, when in the step and its share in quadratures
 //   fields<damped>               position (0), velocity (1) and what the method keeps (2...)
 //   seen_position<damped>, seen_velocity<damped>   the fields that forces are evaluated at
@@ -97,7 +99,9 @@ struct OneKick {
     static constexpr double stage_time[] = {0.0};
     static constexpr double weight[] = {1.0};
     static constexpr double coarsest_step = 1.0 / 60.0;  // s
+    static constexpr double automatic = 1.0;
     static constexpr bool starts_with_forces = false;
+    static constexpr bool creates_energy = false, dissipates_energy = false;
     template <bool damped>
     static constexpr int fields = 2;
     template <bool damped>

@@ -35,9 +35,15 @@ inline double damping_needed(const Model& model, double dt) {
 /// weakest damping rate, that of drag and friction, and of springs along themselves.
 inline double automatic_share(const Model& model) {
     constexpr double least = 0.3, most = 0.75, half_way = 0.5;  // 1/s
-    const double rate =
-        (model.damping_on_mass(1.0) + model.springs.damping.value_or(0.0)) / model.springs.mass;
+    const double rate = (model.damping_on_mass(1.0) + model.springs.damping.value_or(0.0)) / model.springs.mass;
     return least + (most - least) * rate / (rate + half_way);
+}
+
+/// The automatic step (s) of a method that has a stable one; `lowered` is a share of the usual.
+template <class M>
+double automatic_step(const M& method, const Model& model, double lowered = 1.0) {
+    const double share = lowered * M::automatic * automatic_share(model);
+    return std::min(share * stable_step(method, model).seconds(), M::coarsest_step);
 }
 
 /// Programs advance in batches of simulated time.

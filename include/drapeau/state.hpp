@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <utility>
 
 namespace drapeau {
 inline namespace DRAPEAU_ISA {
@@ -51,13 +52,19 @@ public:
         std::fill_n(bytes_.get(), bytes_for(count, shift_bytes), std::byte{0});
     }
     Array(const Array& other) : Array(other.count_, other.shift_) { *this = other; }
-    Array(Array&&) noexcept = default;
+    Array(Array&& other) noexcept { *this = std::move(other); }
     Array& operator=(const Array& other) {
         if (count_ != other.count_) return *this = Array(other);
         std::copy_n(other.first_, count_, first_);
         return *this;
     }
-    Array& operator=(Array&&) noexcept = default;
+    Array& operator=(Array&& other) noexcept {
+        bytes_ = std::move(other.bytes_);
+        first_ = std::exchange(other.first_, nullptr);
+        count_ = std::exchange(other.count_, 0);
+        shift_ = std::exchange(other.shift_, 0);
+        return *this;
+    }
 
     Real* data() { return first_; }
     const Real* data() const { return first_; }

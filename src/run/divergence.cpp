@@ -54,12 +54,13 @@ std::pair<int, int> worst(const State<double>& state) {
 std::string cause_and_remedy(Method method, const Divergence& d) {
     const std::string name(name_of(method));
     const std::string remedy =
-        d.safe_dt > 0.0 ? "a step of " + in_words(d.safe_dt) + " holds"
-                        : "choose dt \"auto\", more drag or damping, or weaker wind, gravity or springs";
+        d.safe_dt > 0.0                       ? "a step of " + in_words(d.safe_dt) + " holds"
+        : method == method_id<ForwardEuler>   ? "semi-implicit-euler takes far larger ones"
+                                              : "choose dt \"auto\", more drag or damping, or weaker wind or springs";
     switch (d.cause) {
         case Divergence::Cause::past_the_limit:
             if (d.limit.is_none())
-                return name + " has no stable step without drag or friction: with semi-implicit-euler " + remedy;
+                return name + " has no stable step without drag or friction: choose semi-implicit-euler";
             return "the step " + in_words(d.dt) + " is above the stability limit " + in_words(d.limit.seconds()) +
                    " of " + name + " for these springs and this damping; " + remedy;
         case Divergence::Cause::energy_created:
@@ -125,15 +126,20 @@ Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const
 
     // A remedy is a step that holds from the same state for as long.
     if (d.cause != Divergence::Cause::beyond_precision && !d.limit.is_none()) {
-        const double usual = automatic_share(engine.model()) * d.limit.seconds();
+        const double usual = with_method(
+            method, [&](const auto& chosen) { return automatic_step(chosen, engine.model()); });
+        double mass_steps_left = 3e7;  // some tenths of a second
+        const double span = broken_at + 2.0 * batch_seconds - good.time();
         double dt = whole_steps_per_batch(std::min(usual, 0.7 * d.dt));
         for (int tries = 0; tries < 5 && !replay.abandoned(); ++tries, dt = whole_steps_per_batch(0.6 * dt)) {
+            mass_steps_left -= span / dt * static_cast<double>(engine.model().grid.masses() + 200);
+            if (mass_steps_left < 0.0) break;
             engine.restore(good_place);
             engine.synchronise(good.time());
             watch = watch_then;
             Progress tried = good, ignored;
             tried.clock = {good.time(), good.steps, dt};
-            watch.open(engine, tried, batch_seconds / dt, false);
+            watch.open(engine, tried, batch_seconds / dt, Watch::Nature::of(method, !d.limit.allows(dt)));
             if (replay.holds(tried, ignored, broken_at + 2.0 * batch_seconds) && !replay.abandoned()) {
                 d.safe_dt = dt;
                 break;

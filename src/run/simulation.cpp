@@ -29,14 +29,10 @@ bool same_structure(const Scene& a, const Scene& b) {
 /// The step a scene asks for, or a share of the largest that the closed bound allows, `lowered` further.
 double chosen_step(const Scene& scene, const Model& model, bool exact, double lowered) {
     if (scene.time.dt) return exact ? *scene.time.dt : whole_steps_per_batch(*scene.time.dt);
-    const auto coarsest =
-        with_method(scene.time.method, [](const auto& method) { return std::decay_t<decltype(method)>::coarsest_step; });
-    const auto share = [&](StableStep step) {
-        return whole_steps_per_batch(std::min(lowered * automatic_share(model) * step.seconds(), coarsest));
-    };
-    const auto stable = stable_step(scene.time.method, model);
-    if (!stable.is_none()) return share(stable);
-    const double wanted = share(stable_step(SemiImplicitEuler{}, model));
+    if (!stable_step(scene.time.method, model).is_none())
+        return whole_steps_per_batch(with_method(
+            scene.time.method, [&](const auto& method) { return automatic_step(method, model, lowered); }));
+    const double wanted = whole_steps_per_batch(automatic_step(SemiImplicitEuler{}, model));
     char line[240];
     std::snprintf(line, sizeof line,
                   "time.dt = \"auto\": %s has no stable step without drag or friction; "
@@ -76,8 +72,9 @@ struct Simulation::Run {
     void restart_clock(double time, long long steps) {
         now = {{time, steps, chosen_step(scene, engine->model(), exact, lowered)}, steps};
         in_batch_ = 0;
+        limit = {};
         open();
-        readings_batches = many_batches;
+        readings_batches = max_batches;
     }
 
     /// Other strengths.
@@ -121,6 +118,7 @@ struct Simulation::Run {
                 if (!automatic() || lowered < smallest_lowered)
                     return explain_divergence(*engine, watch, scene.time.method, now, broken_at, abandon);
                 lower(0.6);
+                open();  // what was created until then is not held against the smaller step
                 left = steps_left();
             } else if (lowered < 1.0 && watch.calm_for(calm, now.time()) && now.time() - lowered_at > calm) {
                 lower(1.0 / 0.8);
@@ -144,20 +142,21 @@ struct Simulation::Run {
         threads = count;
     }
 
-    /// How many batches go by between two readings for the picture, so that they cost a hundredth of the steps.
+    /// How many batches go by between two readings for the picture, so that they cost a hundredth of the steps, or a
+    /// little more where a second has few.
     long long batches_between_readings() const {
         constexpr double steps_a_reading = 140.0;  // hundred times what it costs, in steps
-        return std::max(1LL, std::llround(steps_a_reading * now.clock.dt / batch_seconds));
+        return std::clamp(std::llround(steps_a_reading * now.clock.dt / batch_seconds), 1LL, max_batches);
     }
-    static constexpr long long many_batches = 1LL << 40;
+    static constexpr long long max_batches = 60;
 
 private:
     static constexpr double smallest_lowered = 1e-3;
     static constexpr double calm = 2.0;  // s without energy created until a lowered step may grow again
 
     void open() {
-        const bool creates = scene.time.method == method_id<ForwardEuler> || !stable().allows(now.clock.dt);
-        watch.open(*engine, now, batch_seconds / now.clock.dt, creates);
+        watch.open(*engine, now, batch_seconds / now.clock.dt,
+                   Watch::Nature::of(scene.time.method, !stable().allows(now.clock.dt)));
     }
 
     /// Another share of the usual automatic step from now on.
@@ -242,8 +241,10 @@ StableStep Simulation::stability_limit() const {
 
 std::string Simulation::lowered_because() const {
     if (run_->lowered == 1.0) return "";
-    char line[160];
-    std::snprintf(line, sizeof line, "the motion is violent and a larger step creates energy: %.0f %% of the usual step",
+    char line[200];
+    std::snprintf(line, sizeof line,
+                  "the automatic step is at %.2g %% of its usual size: the motion is violent and a larger step would "
+                  "create energy",
                   100.0 * run_->lowered);
     return line;
 }

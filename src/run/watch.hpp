@@ -36,8 +36,21 @@ class Watch {
 public:
     static constexpr int places = 2;  // of the engine that are used for states to return to
 
-    /// Opens a new ledger. `creates`: the method creates energy by nature, or the step is past its limit.
-    void open(Engine& engine, const Progress& now, double steps_a_batch, bool creates);
+    /// What a method does to energy by nature, or because the step is past its limit: what it creates is then judged by
+    /// the energy there is; what it may lose is looked for.
+    struct Nature {
+        bool creates = false, dissipates = false;
+
+        static Nature of(Method method, bool past_limit) {
+            return with_method(method, [&](const auto& m) {
+                using M = std::decay_t<decltype(m)>;
+                return Nature{M::creates_energy || past_limit, M::dissipates_energy};
+            });
+        }
+    };
+
+    /// Opens a new ledger.
+    void open(Engine& engine, const Progress& now, double steps_a_batch, Nature nature);
 
     /// Before the first step of a batch: chooses the step to account; every eighth time keeps the state.
     void begin_batch(Engine& engine, const Progress& now);
@@ -59,7 +72,7 @@ public:
     void return_to_good(Engine& engine, Progress& now);
 
 private:
-    static constexpr int window_ = 8, steps_for_a_group = 12;
+    static constexpr int window_ = 8, steps_for_a_group = 24;
 
     struct Saved {
         Progress progress;
@@ -70,11 +83,12 @@ private:
 
     long long in_window() const { return number_ % (window_ * group_); }
     void take_in(double now, double dt);
+    double counted_so_far(const Progress& now) const;
     void write(Engine& engine, const Progress& now);
     double rounding_energy(const Engine& engine, long long steps) const;
 
     Ledger ledger_;
-    bool creates_ = false, broken_ = false;
+    bool creates_ = false, dissipates_ = false, broken_ = false;
     long long number_ = 0;             // batches since the ledger was opened
     long long group_ = 1;              // batches taken for one
     long long accounted_ = no_step;    // the step of the group under way that is accounted

@@ -1,8 +1,6 @@
 // ForceScale: the newtons of the reddest force colour, a round number that follows the forces without flicker.
 #pragma once
 
-#include "run/simulation.hpp"
-
 namespace drapeau {
 
 /// The smallest of 1, 2, 5 x 10^n that is not below `value`.
@@ -10,8 +8,8 @@ double rounded_up(double value);
 
 class ForceScale {
 public:
-    /// Follows a new moment of the run.
-    void follow(const Snapshot& snapshot, const Scene& scene);
+    /// Follows a new moment of the run, in which the spring forces have this root mean square (N).
+    void follow(double rms_force);
     double newtons() const { return shown_; }
 
 private:

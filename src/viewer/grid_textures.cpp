@@ -20,21 +20,21 @@ GridTextures::GridTextures()
 }
 
 void GridTextures::upload(const Snapshot& snapshot) {
-    if (snapshot.columns != columns_ || snapshot.rows != rows_ || snapshot.stride != stride_) allocate(snapshot);
-    const auto send = [&](const GlTexture& texture, const std::vector<float>& values) {
-        glBindTexture(GL_TEXTURE_2D, texture.id());
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, stride_, rows_, GL_RED, GL_FLOAT, values.data());
-    };
+    const auto& position = snapshot.position;
+    if (position.columns() != columns_ || position.rows() != rows_) allocate(snapshot);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    send(x_, snapshot.x);
-    send(y_, snapshot.y);
-    send(z_, snapshot.z);
+    int component = 0;
+    for (const GLuint id : {x_.id(), y_.id(), z_.id()}) {
+        glBindTexture(GL_TEXTURE_2D, id);
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, stride_, rows_, GL_RED, GL_FLOAT,
+                        position.component(component++).data());
+    }
 }
 
 void GridTextures::allocate(const Snapshot& snapshot) {
-    columns_ = snapshot.columns;
-    rows_ = snapshot.rows;
-    stride_ = snapshot.stride;
+    columns_ = snapshot.position.columns();
+    rows_ = snapshot.position.rows();
+    stride_ = snapshot.position.stride();
     for (const GLuint id : {x_.id(), y_.id(), z_.id()}) {
         glBindTexture(GL_TEXTURE_2D, id);
         glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, stride_, rows_, 0, GL_RED, GL_FLOAT, nullptr);

@@ -2,8 +2,8 @@
 // else.
 #pragma once
 
-#include "scene.hpp"
 #include "image/image.hpp"
+#include "scene.hpp"
 
 #include <filesystem>
 #include <optional>

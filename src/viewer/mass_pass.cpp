@@ -6,7 +6,8 @@ namespace drapeau {
 
 void MassPass::draw(const GridTextures& grid, const Picture& picture) const {
     const bool chain = grid.columns() == 1 || grid.rows() == 1;
-    const float cell = chain ? std::max(picture.cell.x, picture.cell.y) : std::min(picture.cell.x, picture.cell.y);
+    const float fly = picture.kinds.fly.rest, hoist = picture.kinds.hoist.rest;
+    const float cell = chain ? std::max(fly, hoist) : std::min(fly, hoist);
     shader_.use();
     shader_.set("columns", grid.columns());
     shader_.set("radius", (chain ? 0.16f : 0.13f) * cell);

@@ -1,6 +1,6 @@
 #include "pace.hpp"
 
-#include "run/simulation.hpp"
+#include "drapeau/stability.hpp"
 
 #include <algorithm>
 

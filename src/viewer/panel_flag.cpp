@@ -35,15 +35,15 @@ void choose_texture(Session& session, PanelMemory& memory, Widgets& widgets) {
         index = int(names.size());
         names.push_back(session.texture_file.filename().string());
     }
-    if (widgets.choice("Image", index, names, -1, "What is on the flag. Or drop an image on the window.")) {
+    if (widgets.choice("Image", index, names, -1,
+                       "The image on the flag. An image file can also be dropped on the window.")) {
         const auto at = std::size_t(index);
         if (index == 0)
             session.wishes.load_texture = "";
         else if (at <= session.texture_files.size())
             session.wishes.load_texture = session.texture_files[at - 1].string();
     }
-    if (widgets.text("Image file", memory.texture_text, "path, then Enter",
-                     "Any PNG, JPEG, BMP or GIF on this machine."))
+    if (widgets.text("Image file", memory.texture_text, "path, then Enter", "Path of a PNG, JPEG, BMP or GIF file."))
         session.wishes.load_texture = memory.texture_text;
 }
 
@@ -53,25 +53,27 @@ void draw_flag_page(Session& session, PanelMemory& memory, Widgets& widgets) {
     FlagSettings& flag = session.scene.flag;
     const FlagSettings& origin = session.origin.flag;
     bool& shaped = session.scene.view.texture_proportions;
-    widgets.slider("Columns", flag.columns, 1, 200, origin.columns,
-                   "Masses along the fly. More show finer folds; each costs time, and every mass weighs the same.");
-    widgets.slider("Rows", flag.rows, 1, 200, origin.rows,
-                   "Masses along the hoist. More show finer folds and cost time.");
+    widgets.slider(
+        "Columns", flag.columns, 1, 200, origin.columns,
+        "Masses along the fly. More columns show finer folds, take more time and make the flag heavier: every mass "
+        "weighs the same.");
+    widgets.slider("Rows", flag.rows, 1, 200, origin.rows, "Masses along the hoist. More rows do the same.");
     ImGui::BeginDisabled(shaped && session.status.flag_proportions > 0.0);
     widgets.slider("Width", flag.width, {.low = 0.1, .high = 5.0, .format = "%.2f m"}, origin.width,
-                   "Along the fly, at rest.");
+                   "Length along the fly at rest. A wider flag has longer springs, not more of them.");
     ImGui::EndDisabled();
     widgets.slider("Height", flag.height, {.low = 0.1, .high = 5.0, .format = "%.2f m"}, origin.height,
-                   "Along the hoist, at rest.");
+                   "Length along the hoist at rest. A higher flag has longer springs, not more of them.");
     using enum Attach;
     choose(widgets, "Held by", flag.attach, std::array{hoist, grommets, top, corner, edges, all, none}, origin.attach,
-           "Which masses cannot move.");
+           "Which masses are held in place.");
     using enum Start;
     choose(widgets, "Starts", flag.start, std::array{flat, hanging, crumpled}, origin.start,
-           "How it begins after Restart: flat, settled without wind, or crumpled.");
-    widgets.slider("Prestretch", flag.prestretch,
-                   {.low = 0.0, .high = 0.5, .format = "%.0f %%", .shown_per_unit = 100.0}, origin.prestretch,
-                   "Starts longer than at rest by this much, after Restart.");
+           "How the flag begins after Restart: flat, hanging (at rest without wind) or crumpled.");
+    widgets.slider(
+        "Prestretch", flag.prestretch, {.low = 0.0, .high = 0.5, .format = "%.0f %%", .shown_per_unit = 100.0},
+        origin.prestretch,
+        "The flag begins longer than at rest by this share, after Restart. More gives it more elastic energy.");
     choose_texture(session, memory, widgets);
     widgets.toggle("Shaped like its image", shaped, "The width follows from the height and the image's proportions.");
 }

@@ -59,8 +59,11 @@ void draw_message(Session& session, Widgets& widgets) {
     ImGui::PopTextWrapPos();
     const auto& divergence = session.status.divergence;
     if (divergence && divergence->safe_dt > 0.0) {
-        if (widgets.button("Use the safe step", "Takes 0.9 of the limit and goes on from the last good frame."))
-            session.wishes.use_safe_step = true;
+        char tip[160];
+        std::snprintf(tip, sizeof tip,
+                      "Sets the step to %.3g ms, which was tried from the last good state and held, and goes on there.",
+                      1000.0 * divergence->safe_dt);
+        if (widgets.button("Use the safe step", tip)) session.wishes.use_safe_step = true;
         ImGui::SameLine();
     }
     const bool closed = widgets.button("Close", "Key Esc");

@@ -15,7 +15,7 @@ void choose_scene(Session& session, Widgets& widgets) {
     std::vector<std::string> names = session.scene_names;
     int index = int(found - session.scene_names.begin());
     if (found == session.scene_names.end()) names.push_back(stem);
-    const std::string tip = "Scene files set everything at once. Drop one on the window to open it.";
+    const std::string tip = "A scene sets everything at once. A scene file can also be dropped on the window.";
     if (widgets.choice("Scene", index, names, -1, tip.c_str())) session.wishes.load_scene = names[std::size_t(index)];
 }
 
@@ -27,13 +27,13 @@ void choose_view(Session& session, Widgets& widgets) {
     widgets.toggle("Springs", view.springs, "Every spring as a line. Key S");
 
     bool diagonals = session.scene.springs.diagonal_stiffness.has_value();
-    if (widgets.toggle("Diagonals", diagonals,
-                       "Diagonal springs, computed and drawn: they keep the cloth from shearing and cost twice the "
-                       "springs. Key D"))
+    if (widgets.toggle(
+            "Diagonals", diagonals,
+            "Diagonal springs, simulated and drawn. They resist shear and double the number of springs. Key D"))
         toggle_diagonals(session);
     ImGui::SameLine(half);
     widgets.toggle("Force colours", view.forces,
-                   "Each spring's force from white to red, with a scale in newtons below the flag. Key F");
+                   "Colours each spring by its force, white to red, with a scale in newtons below the flag. Key F");
     widgets.toggle("Masses", view.masses, "Every mass as a point. Key M");
     ImGui::SameLine(half);
     widgets.toggle("Cloth", view.cloth, "The surface between the masses. Key C");
@@ -45,13 +45,13 @@ void draw_play(Session& session, Widgets& widgets) {
     choose_scene(session, widgets);
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     const float third = (ImGui::GetContentRegionAvail().x - 2.0f * spacing) / 3.0f;
-    if (widgets.button("Pause", "Stops the clock, and with it the wind. Key Space", third,
+    if (widgets.button("Pause", "Stops simulated time, or lets it go on. Key Space", third,
                        session.paused ? "Go on###pause" : "Pause###pause"))
         session.paused = !session.paused;
     ImGui::SameLine();
-    if (widgets.button("Step", "One step of the method, while paused. Key .", third)) session.wishes.step = true;
+    if (widgets.button("Step", "Takes one step of the method while paused. Key .", third)) session.wishes.step = true;
     ImGui::SameLine();
-    if (widgets.button("Restart", "From the scene's start, with the settings as they are. Key R", third))
+    if (widgets.button("Restart", "Begins again at the scene's start, with the current settings. Key R", third))
         session.wishes.restart = true;
     ImGui::Spacing();
     choose_view(session, widgets);

@@ -1,6 +1,10 @@
 // What the run does, in numbers with units. Readings of the wall clock show a dash where pictures must repeat.
 #include "panels.hpp"
 
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -19,10 +23,6 @@ constexpr const char* none = "\xe2\x80\x93";
     return text;
 }
 
-std::string share_of_limit(double share) {
-    return share < 10.0 ? written("%.0f %% of the limit", 100.0 * share) : written("%.3g times the limit", share);
-}
-
 std::string pace_of(const Session& session) {
     const Status& s = session.status;
     if (s.stands()) return "stopped";
@@ -31,22 +31,84 @@ std::string pace_of(const Session& session) {
     return written("real time \xc3\x97 %.2f", s.real_time_factor);
 }
 
+std::string joules(double energy) {
+    return std::abs(energy) < 100.0 ? written("%.3f J", energy) : written("%.4g J", energy);
+}
+
+bool tells_lowered(const Status& s) {
+    return !s.lowered_because.empty() && !s.stands();
+}
+
+// The step against the closed bound, coloured by what the method does to the energy too.
+void show_stability(const Status& s, Widgets& widgets) {
+    constexpr double close_to_limit = 0.92, much_created = 0.1;
+    constexpr const char* tip =
+        "The step as a share of the largest that is stable for these springs and this damping. Past it the run "
+        "diverges. \"energy +12 %\": the method created that share of the energy there is; a smaller step creates "
+        "less.";
+    using enum Widgets::Mood;
+    const double created = s.readings.created_share;
+    Widgets::Mood mood = created > Ledger::broken_share ? bad : created > much_created ? close : calm;
+    const std::string energy = mood == calm ? "" : written(",  energy +%.0f %%", 100.0 * created);
+    if (s.stability_limit.is_finite()) {
+        const double share = s.dt / s.stability_limit.seconds();
+        if (share > 1.0)
+            mood = bad;
+        else if (share > close_to_limit && mood == calm)
+            mood = close;
+        std::string text = share < 10.0 ? written("%.0f %%", 100.0 * share) : written("%.3g times", share);
+        widgets.gauge("Stability", share, mood, text + (energy.empty() ? " of the limit" : energy), tip);
+    } else if (s.stability_limit.is_none()) {
+        widgets.reading("Stability", "no stable step",
+                        "With these settings this method gains energy whatever the step. More drag, friction or "
+                        "damping, or another method, helps.",
+                        mood == calm ? close : mood);
+    } else {
+        widgets.reading("Stability", "any step is stable" + energy, tip, mood);
+    }
+    if (tells_lowered(s))
+        widgets.remark("Lowered step", as_sentence(s.lowered_because),
+                       "The automatic step is smaller than usual for as long as the method would create energy with a "
+                       "larger one. Smaller steps take more time.");
+}
+
+void show_limit(const PassReport& did, double limit, Widgets& widgets) {
+    constexpr const char* tip =
+        "The longest spring after the stretch limit was applied, against the limit, and how often all springs were "
+        "gone through in the last frame. Attachments that are too far apart can make the limit impossible to meet.";
+    const std::string found = written("%.1f %% of %.1f %%", 100.0 * std::max(0.0, did.max_stretch), 100.0 * limit);
+    if (did.max_stretch <= -1.0)
+        widgets.reading("Limit", none, tip);
+    else if (!did.met)
+        widgets.reading("Limit", found + ", not met", tip, Widgets::Mood::close);
+    else if (did.sweeps < 10000)
+        widgets.reading("Limit", found + written(", %lld sweeps", did.sweeps), tip);
+    else
+        widgets.reading("Limit", found + written(", %lldk sweeps", did.sweeps / 1000), tip);
+}
+
 }  // namespace
+
+float readings_height(const Session& session) {
+    float lines = 7.6f;
+    if (session.status.limit) lines += 1.0f;
+    float height = lines * ImGui::GetTextLineHeightWithSpacing();
+    if (tells_lowered(session.status)) {
+        const std::string remark = as_sentence(session.status.lowered_because);
+        height += ImGui::CalcTextSize(remark.c_str(), nullptr, false, ImGui::GetContentRegionAvail().x).y +
+                  ImGui::GetStyle().ItemSpacing.y;
+    }
+    return height;
+}
 
 void draw_readings(const Session& session, Widgets& widgets) {
     const Status& s = session.status;
     widgets.reading("Time", written("%.2f s   ", s.time) + pace_of(session),
-                    "Simulated time, and how fast it passes against the clock on the wall. Below 1 the machine cannot "
-                    "keep up, and the flag slows down rather than skip.");
-    widgets.reading("Step", s.dt > 0.0 ? written("%.4g ms,  %d per frame", 1000.0 * s.dt, s.steps_per_batch) : none,
-                    "The step in use; frames are 1/60 s of simulated time.");
-    if (s.stability_limit > 0.0)
-        widgets.gauge(
-            "Stability", s.dt / s.stability_limit, share_of_limit(s.dt / s.stability_limit),
-            "The step against the largest one that is safe for these springs. Past 100 % the run may come apart.");
-    else
-        widgets.reading("Stability", "no stable step",
-                        "This method with these settings gains energy whatever the step.");
+                    "Simulated time, and how fast it passes against the wall clock. Below 1 the computer cannot keep "
+                    "up: the flag moves slower, but no step is skipped.");
+    widgets.reading("Step", s.dt > 0.0 ? written("%.4g ms,  %lld per frame", 1000.0 * s.dt, s.steps_per_batch) : none,
+                    "The step in use. A frame is 1/60 s of simulated time.");
+    show_stability(s, widgets);
     widgets.reading("Work",
                     s.clock ? written("%.3g ms a step", 1000.0 * s.step_seconds) : std::string(none) + " ms a step",
                     "Wall-clock time of one step.");
@@ -54,11 +116,13 @@ void draw_readings(const Session& session, Widgets& widgets) {
                     "Wall-clock time from picture to picture.");
     const Readings& r = s.readings;
     const double total = r.kinetic_energy + r.spring_energy + r.gravity_energy;
-    widgets.reading("Energy", written("%.3f J,  motion %.3f J", total, r.kinetic_energy),
-                    "All of it: of motion, of springs, and of height (0 at the flag's top); and that of motion alone.");
-    widgets.reading("Stretch",
-                    written("%.1f %% most,  %.2f %% mean", 100.0 * r.greatest_stretch, 100.0 * r.mean_stretch),
-                    "Of the springs against their rest length.");
+    widgets.reading(
+        "Energy", joules(total) + ",  kinetic " + joules(r.kinetic_energy),
+        "Total energy: kinetic, elastic, gravitational (zero at the flag's top); and kinetic energy alone.");
+    widgets.reading(
+        "Stretch", written("max %.1f %%,  mean %.2f %%", 100.0 * r.max_stretch, 100.0 * r.mean_stretch),
+        "How much longer the longest spring is than at rest, and the mean change of length of all springs.");
+    if (s.limit) show_limit(r.limit, s.limit->stretch, widgets);
 }
 
 }  // namespace drapeau

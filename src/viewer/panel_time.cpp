@@ -9,20 +9,38 @@ namespace drapeau {
 
 namespace {
 
+std::vector<std::string> method_names() {
+    std::vector<std::string> names;
+    for (std::size_t n = 0; n < method_count; ++n) names.emplace_back(name_of(Method(n)));
+    return names;
+}
+
+// What the methods are and what they cost, a line each.
+std::string about_methods() {
+    std::string text =
+        "How a step is taken. Halving the step divides the error by 2 to the power of the method's order; every force "
+        "evaluation costs about the same time.";
+    for (std::size_t n = 0; n < method_count; ++n)
+        with_method(Method(n), [&]<class M>(const M&) {
+            text += "\n" + std::string(M::name) + ": order " + std::to_string(M::order) + ", " +
+                    std::to_string(M::passes) + (M::passes == 1 ? " evaluation" : " evaluations") + " a step";
+        });
+    return text;
+}
+
 void edit_method(Session& session, Widgets& widgets) {
+    static const std::vector<std::string> methods = method_names();
+    static const std::string about = about_methods();
     TimeSettings& time = session.scene.time;
-    const std::vector<std::string> methods{std::string(name_of(Method::forward_euler)),
-                                           std::string(name_of(Method::semi_implicit_euler))};
     int method = int(time.method);
-    if (widgets.choice(
-            "Method", method, methods, int(session.origin.time.method),
-            "How positions follow from forces. Forward Euler gains energy and needs damping and small steps."))
+    if (widgets.choice("Method", method, methods, int(session.origin.time.method), about.c_str()))
         time.method = Method(method);
     const std::vector<std::string> precisions{std::string(name_of(Precision::single_precision)),
                                               std::string(name_of(Precision::double_precision))};
     int precision = int(time.precision);
-    if (widgets.choice("Precision", precision, precisions, int(session.origin.time.precision),
-                       "Doubles cost about twice the time and matter over long runs."))
+    if (widgets.choice(
+            "Precision", precision, precisions, int(session.origin.time.precision),
+            "Floating-point type. double takes about twice the time and matters in long or very accurate runs."))
         time.precision = Precision(precision);
 }
 
@@ -30,17 +48,18 @@ void edit_step(Session& session, Widgets& widgets) {
     auto& dt = session.scene.time.dt;
     const Status& status = session.status;
     bool automatic = !dt;
-    if (widgets.toggle("Step chosen automatically", automatic,
-                       "The largest step the stability bound allows, with a margin of a tenth."))
+    if (widgets.toggle(
+            "Step chosen automatically", automatic,
+            "A share of the stability limit, from 30 % where nothing damps to 75 %; lowered further while the "
+            "method would create energy. Off: the step below is used."))
         dt = automatic ? std::nullopt : std::optional(status.dt > 0.0 ? status.dt : 1e-4);
     if (!dt) return;
-    const double usual =
-        session.origin.time.dt.value_or(status.stability_limit > 0.0 ? 0.9 * status.stability_limit : *dt);
     widgets.slider(
         "Step size", *dt,
-        {.low = 1e-5, .high = 1000.0 / 60.0, .logarithmic = true, .format = "%.4g ms", .shown_per_unit = 1000.0}, usual,
-        "Wished; made a whole number of steps every 1/60 s. Larger is quicker and less exact; past the limit the run "
-        "comes apart.");
+        {.low = 1e-5, .high = 1000.0 / 60.0, .logarithmic = true, .format = "%.4g ms", .shown_per_unit = 1000.0},
+        session.origin.time.dt.value_or(*dt),
+        "Rounded down to a whole number of steps per 1/60 s. A larger step takes less time and is less accurate; above "
+        "the stability limit the run diverges.");
 }
 
 }  // namespace
@@ -51,16 +70,19 @@ void draw_time_page(Session& session, PanelMemory& memory, Widgets& widgets) {
     ImGui::Spacing();
     ImGui::Separator();
     ImGui::Spacing();
-    if (widgets.text("Scene file", memory.scene_text, "path or name, then Enter", "Opens a scene from a file."))
+    if (widgets.text("Scene file", memory.scene_text, "path or name, then Enter",
+                     "Opens a scene file, or a scene by its name."))
         session.wishes.load_scene = memory.scene_text;
-    if (widgets.text("Save as", memory.save_text, "my-flag.toml", "Everything set here, as a scene file; Enter saves."))
+    if (widgets.text("Save as", memory.save_text, "my-flag.toml", "The file for all current settings; Enter saves."))
         session.wishes.save_scene = memory.save_text;
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;
-    if (widgets.button("Save scene", "Writes the file named above.", half))
+    if (widgets.button("Save scene", "Saves all current settings in the file named above.", half))
         session.wishes.save_scene = memory.save_text;
     ImGui::SameLine();
-    if (widgets.button("All back", "Every setting back to what the scene says.", half)) session.scene = session.origin;
-    if (widgets.button("Screenshot", "A PNG in the working directory. Key P", half)) session.wishes.screenshot = true;
+    if (widgets.button("Reset all", "Sets everything back to the scene's values.", half))
+        session.scene = session.origin;
+    if (widgets.button("Screenshot", "Saves a PNG in the working directory. Key P", half))
+        session.wishes.screenshot = true;
     ImGui::SameLine();
     if (widgets.button("Keys", "The list of keys. Key F1", half)) session.help_shown = !session.help_shown;
 }

@@ -30,9 +30,8 @@ void draw_panel(Session& session, PanelMemory& memory, Widgets& widgets) {
         if (widgets.page(names[i], memory.page == i, width)) memory.page = i;
     }
     ImGui::Spacing();
-    const float readings_height = 7.6f * ImGui::GetTextLineHeightWithSpacing();
-    const float page_height =
-        std::max(5.0f * ImGui::GetFrameHeightWithSpacing(), ImGui::GetContentRegionAvail().y - readings_height);
+    const float page_height = std::max(5.0f * ImGui::GetFrameHeightWithSpacing(),
+                                       ImGui::GetContentRegionAvail().y - readings_height(session));
     ImGui::BeginChild("page", {0.0f, page_height});
     switch (memory.page) {
         case 0:

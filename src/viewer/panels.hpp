@@ -27,6 +27,7 @@ void draw_flag_page(Session& session, PanelMemory& memory, Widgets& widgets);
 void draw_springs_page(Session& session, Widgets& widgets);
 void draw_wind_page(Session& session, PanelMemory& memory, Widgets& widgets);
 void draw_time_page(Session& session, PanelMemory& memory, Widgets& widgets);
+float readings_height(const Session& session);  // of what draw_readings shows
 void draw_readings(const Session& session, Widgets& widgets);
 void draw_message(Session& session, Widgets& widgets);
 void draw_help(Session& session, Widgets& widgets);

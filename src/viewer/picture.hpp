@@ -31,21 +31,34 @@ struct Stage {
     glm::vec3 low{0.0f}, high{0.0f};  // a box around what may cast a shadow
 };
 
+/// Springs of one kind.
+struct SpringKind {
+    float rest = 0.0f;       // L, m; 0: there are none
+    float stiffness = 0.0f;  // k, N/m
+
+    bool exists() const { return rest > 0.0f; }
+    bool operator==(const SpringKind&) const = default;
+};
+
+/// Springs along the fly, along the hoist and across the cells.
+struct SpringKinds {
+    SpringKind fly, hoist, diagonal;
+
+    bool operator==(const SpringKinds&) const = default;
+};
+
 struct Picture {
     glm::mat4 view{1.0f}, projection{1.0f};
     glm::vec3 eye{0.0f};
     bool cloth = true;
     bool texture = true;
     bool springs = false;
-    bool diagonals = false;
     bool forces = false;
     bool masses = false;
-    glm::vec2 cell{0.1f};          // m, rest lengths along the fly and the hoist
-    float stiffness = 1.0f;        // N/m
-    float diagonal_stiffness = 0;  // N/m
-    float force_scale = 1.0f;      // N, of the reddest colour
-    glm::ivec4 hidden{0};          // x, y, width, height of what panels will cover, pixels from below: not drawn
-    float pixel_scale = 1.0f;      // pixels of the picture per unit of line width
+    SpringKinds kinds;         // of springs
+    float force_scale = 1.0f;  // N, of the reddest colour
+    glm::ivec4 hidden{0};      // x, y, width, height of what panels will cover, pixels from below: not drawn
+    float pixel_scale = 1.0f;  // pixels of the picture per unit of line width
     Stage stage;
 };
 

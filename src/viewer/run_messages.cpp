@@ -14,6 +14,7 @@ void close_if(Message& message, Cause cause) {
 
 RunMessages::Answer RunMessages::hear(const Moment& moment, long long wanted, Message& message) {
     hear_standstill(moment, message);
+    hear_lowered(moment, message);
     if (moment.refused_revision > refused_) {
         refused_ = moment.refused_revision;
         if (refused_ != wanted) return Answer::none;
@@ -41,6 +42,14 @@ void RunMessages::hear_standstill(const Moment& moment, Message& message) {
     stands_ = revision;
     told_ = why;
     message = {.text = why, .cause = Cause::standstill};
+}
+
+// Once a scene, and not in the place of another message: the panel goes on showing it.
+void RunMessages::hear_lowered(const Moment& moment, Message& message) {
+    if (moment.lowered_because.empty() || moment.stands() || moment.revision == lowered_ || !message.text.empty())
+        return;
+    lowered_ = moment.revision;
+    message = {.text = as_sentence(moment.lowered_because), .trouble = false, .seconds_left = 10.0};
 }
 
 }  // namespace drapeau

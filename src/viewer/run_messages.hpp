@@ -1,6 +1,6 @@
 // RunMessages: what the window says of the run. A cause is told once, when it appears: closing its message closes it,
 // and a later message takes its place. A cause that comes again is told again, one that is gone takes its message
-// along.
+// along. A lowered step is told once a scene.
 #pragma once
 
 #include "session.hpp"
@@ -18,10 +18,12 @@ public:
 
 private:
     void hear_standstill(const Moment& moment, Message& message);
+    void hear_lowered(const Moment& moment, Message& message);
 
     long long taken_ = 0, refused_ = -1;  // revisions, the last of each
     long long stands_ = -1;               // revision of a run that stands
     std::string told_;                    // why
+    long long lowered_ = -1;              // revision of the scene whose lowered step was told
 };
 
 }  // namespace drapeau

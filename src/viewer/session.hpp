@@ -2,8 +2,8 @@
 #pragma once
 
 #include "camera.hpp"
-#include "scene.hpp"
 #include "run/simulation.hpp"
+#include "scene.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -42,10 +42,12 @@ struct Status {
     long long steps = 0;
     int columns = 0, rows = 0;
     double dt = 0.0;  // s
-    int steps_per_batch = 0;
-    double stability_limit = 0.0;  // s
-    double force_scale = 1.0;      // N
-    bool clock = true;             // false: wall-clock readings are not shown, so that pictures repeat
+    long long steps_per_batch = 0;
+    StableStep stability_limit;
+    std::string lowered_because;        // why an automatic step is smaller than usual; empty where it is not
+    std::optional<StretchLimit> limit;  // of the scene that runs
+    double force_scale = 1.0;           // N
+    bool clock = true;                  // false: wall-clock readings are not shown, so that pictures repeat
     double real_time_factor = 0.0;
     double step_seconds = 0.0;      // wall-clock
     double frame_seconds = 0.0;     // wall-clock
@@ -79,6 +81,12 @@ struct Session {
 
 inline void say(Session& session, const std::string& text, bool trouble) {
     session.message = {.text = text, .trouble = trouble, .seconds_left = trouble ? 0.0 : 5.0};
+}
+
+/// A reason, as the run gives it, as a sentence of its own.
+inline std::string as_sentence(std::string reason) {
+    if (!reason.empty() && reason.front() >= 'a' && reason.front() <= 'z') reason.front() += 'A' - 'a';
+    return reason + ".";
 }
 
 /// Diagonal springs off, or on as stiff as they last were.

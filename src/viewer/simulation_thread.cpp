@@ -1,5 +1,7 @@
 #include "simulation_thread.hpp"
 
+#include "error.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -17,6 +19,26 @@ std::string refusal_for_lack_of_memory(const FlagSettings& flag) {
            " masses; fewer columns or rows need less";
 }
 
+// Fewer threads are slower and give the same flag: no reason to refuse it.
+void share_among(Simulation& simulation, int threads) {
+    try {
+        simulation.use_threads(threads);
+    } catch (const InputError&) {
+        simulation.use_threads(1);
+    }
+}
+
+SpringKinds kinds_of(const Model& model) {
+    const Grid& grid = model.grid;
+    const auto kind = [](bool exists, double rest, double stiffness) {
+        return exists ? SpringKind{float(rest), float(stiffness)} : SpringKind{};
+    };
+    const double k = model.springs.stiffness, diagonal = model.springs.diagonal_stiffness.value_or(0.0);
+    return {.fly = kind(grid.columns > 1, grid.pitch_x, k),
+            .hoist = kind(grid.rows > 1, grid.pitch_y, k),
+            .diagonal = kind(model.has_diagonals(), grid.pitch_diagonal(), diagonal)};
+}
+
 }  // namespace
 
 int simulation_threads(unsigned processors) {
@@ -25,10 +47,10 @@ int simulation_threads(unsigned processors) {
 
 SimulationThread::SimulationThread(Simulation simulation, int threads)
     : threads_(threads), simulation_(std::move(simulation)) {
-    simulation_.use_threads(threads_);
+    share_among(simulation_, threads_);
     failure_.reserve(longest_failure);
     now_.scene = simulation_.scene();
-    publish();
+    publish(true);
     thread_ = std::thread([this] { work(); });
 }
 
@@ -122,11 +144,13 @@ void SimulationThread::work() {
 bool SimulationThread::carry_out(std::optional<Change> change, bool single_step) {
     bool advanced = false;
     try {
+        // Readings of a few batches ago do while the flag plays, not where somebody looks at one moment.
+        const bool fresh = change || single_step;
         if (change)
             take_over(std::move(*change));
         else
             advanced = advance(single_step);
-        publish();
+        publish(fresh || now_.divergence);
     } catch (const std::bad_alloc&) {
         fail("not enough memory to go on with this flag; fewer columns or rows need less");
     } catch (const std::exception& failure) {
@@ -142,7 +166,7 @@ void SimulationThread::take_over(Change change) {
     try {
         if (change.from_start) {
             Simulation next(change.scene);
-            next.use_threads(threads_);
+            share_among(next, threads_);
             simulation_ = std::move(next);
         } else {
             simulation_.change(change.scene);
@@ -169,19 +193,22 @@ bool SimulationThread::advance(bool single_step) {
     if (now_.divergence || failed_) return false;
     const auto steps_before = simulation_.steps();
     const auto begin = std::chrono::steady_clock::now();
-    now_.divergence = single_step ? simulation_.advance_steps(1) : simulation_.advance_batch(&abandon_);
-    if (simulation_.steps() == steps_before) return false;
+    now_.divergence = single_step ? simulation_.advance_steps(1, &abandon_) : simulation_.advance_batch(&abandon_);
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-    now_.step_seconds = passed.count() / (single_step ? 1 : simulation_.steps_per_batch());
-    return true;
+    const auto taken = simulation_.steps() - steps_before;
+    // None or fewer: abandoned, or put back to a good state.
+    if (taken > 0) now_.step_seconds = passed.count() / double(taken);
+    return taken != 0;
 }
 
-void SimulationThread::publish() {
+void SimulationThread::publish(bool fresh) {
     simulation_.snapshot(now_.snapshot);
-    now_.readings = simulation_.readings();
+    now_.readings = fresh ? simulation_.readings() : simulation_.recent_readings();
     now_.dt = simulation_.dt();
     now_.steps_per_batch = simulation_.steps_per_batch();
     now_.stability_limit = simulation_.stability_limit();
+    now_.lowered_because = simulation_.lowered_because();
+    now_.kinds = kinds_of(simulation_.model());
     Moment moment = now_;
     const std::lock_guard lock(mutex_);
     newest_ = std::move(moment);

@@ -2,6 +2,7 @@
 // and the newest moment comes out between batches, so nothing the simulation does stalls the picture.
 #pragma once
 
+#include "picture.hpp"
 #include "run/simulation.hpp"
 
 #include <atomic>
@@ -19,9 +20,11 @@ struct Moment {
     Snapshot snapshot;
     Readings readings;
     double dt = 0.0;  // s, the step in use
-    int steps_per_batch = 0;
-    double stability_limit = 0.0;          // s; 0: no step is stable
+    long long steps_per_batch = 0;
+    StableStep stability_limit;            // of the closed bound
+    std::string lowered_because;           // why an automatic step is smaller than usual; empty where it is not
     double step_seconds = 0.0;             // wall-clock of one step, averaged over the last batch
+    SpringKinds kinds;                     // of springs, as they are drawn
     Scene scene;                           // the scene that runs
     long long revision = 0;                // of that scene, as given to apply or restart
     std::optional<Divergence> divergence;  // the run stands until the scene changes or starts again
@@ -38,7 +41,7 @@ int simulation_threads(unsigned processors);
 
 class SimulationThread {
 public:
-    /// `threads` may share a step, whatever the scene becomes.
+    /// `threads` may share a step, whatever the scene becomes; it stays on one where the system gives no more.
     explicit SimulationThread(Simulation simulation, int threads = 1);
     ~SimulationThread();
     SimulationThread(const SimulationThread&) = delete;
@@ -65,7 +68,7 @@ private:
     bool carry_out(std::optional<Change> change, bool single_step);
     void take_over(Change change);
     bool advance(bool single_step);
-    void publish();
+    void publish(bool fresh);
     void fail(std::string_view why) noexcept;
 
     int threads_;

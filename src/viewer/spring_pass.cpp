@@ -1,7 +1,5 @@
 #include "spring_pass.hpp"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cstdlib>
 
@@ -23,7 +21,7 @@ void SpringPass::draw(const GridTextures& grid, const Picture& picture, const Fl
     shader_.set("on_picture", on_picture ? 1 : 0);
     shader_.set("by_force", picture.forces ? 1 : 0);
     shader_.set("force_scale", picture.force_scale);
-    shader_.set("lift", 0.12f * std::min(picture.cell.x, picture.cell.y));
+    shader_.set("lift", 0.12f * std::min(picture.kinds.fly.rest, picture.kinds.hoist.rest));
     shader_.set("color", on_cloth ? light : dark);
     if (on_picture) {
         glActiveTexture(GL_TEXTURE3);
@@ -31,28 +29,27 @@ void SpringPass::draw(const GridTextures& grid, const Picture& picture, const Fl
     }
 
     // Diagonals first, thinner: the structure stays readable on top.
-    if (picture.diagonals) {
+    if (picture.kinds.diagonal.exists()) {
         shader_.set("width", picture.forces ? 1.5f : 1.2f);
         shader_.set("opacity", picture.forces ? 0.6f : 0.5f);
-        const float diagonal = glm::length(picture.cell);
-        draw_kind(grid, {1, 1}, diagonal, picture.diagonal_stiffness);
-        draw_kind(grid, {-1, 1}, diagonal, picture.diagonal_stiffness);
+        draw_kind(grid, {1, 1}, picture.kinds.diagonal);
+        draw_kind(grid, {-1, 1}, picture.kinds.diagonal);
     }
     shader_.set("width", chain ? 2.6f : 2.0f);
     shader_.set("opacity", on_picture ? 0.8f : 1.0f);
-    draw_kind(grid, {1, 0}, picture.cell.x, picture.stiffness);
-    draw_kind(grid, {0, 1}, picture.cell.y, picture.stiffness);
+    draw_kind(grid, {1, 0}, picture.kinds.fly);
+    draw_kind(grid, {0, 1}, picture.kinds.hoist);
 }
 
 /// Every spring from a mass to the one `offset` columns and rows further.
-void SpringPass::draw_kind(const GridTextures& grid, glm::ivec2 offset, float rest, float stiffness) const {
+void SpringPass::draw_kind(const GridTextures& grid, glm::ivec2 offset, const SpringKind& kind) const {
     const int per_row = grid.columns() - std::abs(offset.x);
     const int rows = grid.rows() - offset.y;
     if (per_row <= 0 || rows <= 0) return;
     shader_.set("offset", offset);
     shader_.set("per_row", per_row);
-    shader_.set("rest", rest);
-    shader_.set("stiffness", stiffness);
+    shader_.set("rest", kind.rest);
+    shader_.set("stiffness", kind.stiffness);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, per_row * rows);
 }
 

@@ -16,7 +16,7 @@ public:
     void draw(const GridTextures& grid, const Picture& picture, const FlagTexture& texture) const;
 
 private:
-    void draw_kind(const GridTextures& grid, glm::ivec2 offset, float rest, float stiffness) const;
+    void draw_kind(const GridTextures& grid, glm::ivec2 offset, const SpringKind& kind) const;
 
     Shader shader_{"spring"};
     GlVertexArray nothing_;

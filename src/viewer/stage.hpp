@@ -3,8 +3,8 @@
 #pragma once
 
 #include "camera.hpp"
-#include "scene.hpp"
 #include "picture.hpp"
+#include "scene.hpp"
 
 namespace drapeau {
 

@@ -155,8 +155,9 @@ void Viewer::load_wanted() {
         say(session_, wrong.what(), true);
     }
     if (wishes.load_scene && opening_) simulation_.restart(opening_->scene, ++revision_);
-    if (session_.wishes.use_safe_step && session_.status.divergence)
-        session_.scene.time.dt = session_.status.divergence->safe_dt;
+    const auto& divergence = session_.status.divergence;
+    if (session_.wishes.use_safe_step && divergence && divergence->safe_dt > 0.0)
+        session_.scene.time.dt = divergence->safe_dt;
 }
 
 void Viewer::send_settings() {
@@ -218,7 +219,7 @@ void Viewer::receive(double passed) {
     if (simulation_.take(moment_)) {
         hear_of_run();
         renderer_.upload(moment_.snapshot);
-        force_scale_.follow(moment_.snapshot, moment_.scene);
+        force_scale_.follow(moment_.readings.rms_spring_force);
         if (repeatable() && moment_.stands() && !status.stands())
             std::fprintf(stderr, "drapeau: %s\n", session_.message.text.c_str());
         status.readings = moment_.readings;
@@ -226,11 +227,13 @@ void Viewer::receive(double passed) {
         status.failure = moment_.failure;
         status.time = moment_.snapshot.time;
         status.steps = moment_.snapshot.steps;
-        status.columns = moment_.snapshot.columns;
-        status.rows = moment_.snapshot.rows;
+        status.columns = moment_.snapshot.position.columns();
+        status.rows = moment_.snapshot.position.rows();
         status.dt = moment_.dt;
         status.steps_per_batch = moment_.steps_per_batch;
         status.stability_limit = moment_.stability_limit;
+        status.lowered_because = moment_.lowered_because;
+        status.limit = moment_.scene.limits.get<StretchLimit>();
         status.step_seconds = moment_.step_seconds;
         status.force_scale = force_scale_.newtons();
     }

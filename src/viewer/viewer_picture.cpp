@@ -21,14 +21,11 @@ namespace {
 
 constexpr double least_frame_seconds = 0.008;  // where the display does not hold the loop back
 
-glm::vec3 middle_of(const Snapshot& s) {
+glm::vec3 middle_of(const FieldBuffer<float>& position) {
     glm::dvec3 sum(0.0);
-    for (int row = 0; row < s.rows; ++row)
-        for (int column = 0; column < s.columns; ++column) {
-            const std::size_t at = std::size_t(row) * std::size_t(s.stride) + std::size_t(column);
-            sum += glm::dvec3(s.x[at], s.y[at], s.z[at]);
-        }
-    return glm::vec3(sum / double(std::max(1, s.columns * s.rows)));
+    for (int row = 0; row < position.rows(); ++row)
+        for (int column = 0; column < position.columns(); ++column) sum += position.at(column, row);
+    return glm::vec3(sum / std::max(1.0, double(position.columns()) * position.rows()));
 }
 
 std::string written(Area area) {
@@ -48,12 +45,11 @@ glm::ivec4 pixels_under(const Area& panel, float pixels_per_unit, int height) {
 }
 
 /// The rectangle around the masses as they are drawn.
-Area around_masses(const Snapshot& s, const glm::mat4& to_clip, glm::vec2 size) {
+Area around_masses(const FieldBuffer<float>& position, const glm::mat4& to_clip, glm::vec2 size) {
     Area area{1e9f, 1e9f, -1e9f, -1e9f};
-    for (int row = 0; row < s.rows; ++row)
-        for (int column = 0; column < s.columns; ++column) {
-            const std::size_t at = std::size_t(row) * std::size_t(s.stride) + std::size_t(column);
-            const glm::vec4 clip = to_clip * glm::vec4(s.x[at], s.y[at], s.z[at], 1.0f);
+    for (int row = 0; row < position.rows(); ++row)
+        for (int column = 0; column < position.columns(); ++column) {
+            const glm::vec4 clip = to_clip * glm::vec4(glm::vec3(position.at(column, row)), 1.0f);
             if (clip.w <= 0.0f) continue;
             const glm::vec2 place((0.5f + 0.5f * clip.x / clip.w) * size.x, (0.5f - 0.5f * clip.y / clip.w) * size.y);
             area = {std::min(area.x0, place.x), std::min(area.y0, place.y), std::max(area.x1, place.x),
@@ -65,9 +61,7 @@ Area around_masses(const Snapshot& s, const glm::mat4& to_clip, glm::vec2 size) 
 }  // namespace
 
 Picture Viewer::picture() const {
-    const Scene& scene = moment_.scene;
     const ViewSettings& view = session_.scene.view;
-    const FlagSettings& flag = scene.flag;
     const float pixel_scale = float(canvas_.height()) / std::max(1.0f, size().y);
     return {.view = camera_.view_matrix(framing_, session_.view_area),
             .projection = camera_.projection(framing_, session_.view_area, size()),
@@ -75,24 +69,20 @@ Picture Viewer::picture() const {
             .cloth = view.cloth,
             .texture = view.texture,
             .springs = view.springs,
-            .diagonals = scene.springs.diagonal_stiffness.has_value(),
             .forces = view.forces,
             .masses = view.masses,
-            .cell = {flag.columns > 1 ? float(flag.width) / float(flag.columns - 1) : 0.0f,
-                     flag.rows > 1 ? float(flag.height) / float(flag.rows - 1) : 0.0f},
-            .stiffness = float(scene.springs.stiffness),
-            .diagonal_stiffness = float(scene.springs.diagonal_stiffness.value_or(0.0)),
+            .kinds = moment_.kinds,
             .force_scale = float(session_.status.force_scale),
             .hidden = pixels_under(session_.panel_area, pixel_scale, canvas_.height()),
             .pixel_scale = pixel_scale,
-            .stage = stage_of(flag)};
+            .stage = stage_of(moment_.scene.flag)};
 }
 
 void Viewer::draw() {
     const FlagSettings& flag = moment_.scene.flag;
     framing_ = framing_of(flag, stage_of(flag));
     // What nothing holds falls; the camera goes with it.
-    if (flag.attach == Attach::none) framing_.centre = middle_of(moment_.snapshot);
+    if (flag.attach == Attach::none) framing_.centre = middle_of(moment_.snapshot.position);
     if (!picture_wanted()) return;
 
     const glm::vec2 pixels(float(canvas_.width()), float(canvas_.height()));
@@ -162,7 +152,7 @@ void Viewer::write_map() {
     map_.state("window", std::to_string(int(size().x)) + "x" + std::to_string(int(size().y)));
     map_.state("panel", session_.panel_shown ? written(session_.panel_area) : "");
     map_.state("view", written(session_.view_area));
-    map_.state("flag", written(around_masses(moment_.snapshot, to_clip, size())));
+    map_.state("flag", written(around_masses(moment_.snapshot.position, to_clip, size())));
     map_.state("help", session_.help_shown ? "1" : "0");
     map_.state("force_scale", status.force_scale);
     map_.state("gl_errors", gl_errors_.count());

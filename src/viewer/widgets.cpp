@@ -13,6 +13,7 @@ namespace {
 
 constexpr float label_share = 0.40f;  // of a row's width
 constexpr double same = 1e-9;         // relative: two numbers a slider cannot tell apart
+const ImVec4 amber(1.0f, 0.76f, 0.38f, 1.0f), red(1.0f, 0.52f, 0.46f, 1.0f);  // of text
 
 float arrow_width() {
     return ImGui::GetFrameHeight();
@@ -84,7 +85,7 @@ bool Widgets::back_arrow(const char* label, bool differs) {
                             {head.x + 0.14f * side, head.y - 0.13f * side},
                             {head.x - 0.07f * side, head.y + 0.19f * side}, color);
     note((std::string("Back: ") + label).c_str(), "");
-    tip("Back to what the scene says.");
+    tip("Back to the scene's value.");
     return clicked;
 }
 
@@ -130,7 +131,7 @@ bool Widgets::term(const char* label, std::optional<double>& value, const Range&
     bool on = value.has_value();
     bool changed = ImGui::Checkbox("##on", &on);
     note((std::string(label) + " on").c_str(), on ? "1" : "0");
-    tip("Whether this is modelled at all. What is off is not computed and costs nothing.");
+    tip("On or off. What is off is not computed and costs nothing.");
     if (changed) value = on ? std::optional(origin.value_or(otherwise)) : std::nullopt;
     ImGui::SameLine();
     ImGui::SetNextItemWidth(control_width());
@@ -225,21 +226,35 @@ bool Widgets::page(const char* label, bool chosen, float width) {
     return clicked;
 }
 
-void Widgets::reading(const char* label, const std::string& value, const char* tip_text) {
+void Widgets::reading(const char* label, const std::string& value, const char* tip_text, Mood mood) {
     ImGui::TextDisabled("%s", label);
     const float left = ImGui::GetWindowContentRegionMin().x;
     ImGui::SameLine(left + label_share * (ImGui::GetWindowContentRegionMax().x - left));
+    ImGui::PushStyleColor(ImGuiCol_Text, mood == Mood::calm    ? ImGui::GetStyleColorVec4(ImGuiCol_Text)
+                                         : mood == Mood::close ? amber
+                                                               : red);
     ImGui::TextUnformatted(value.c_str());
+    ImGui::PopStyleColor();
     note(("Reading: " + std::string(label)).c_str(), value);
     tip(tip_text);
 }
 
-void Widgets::gauge(const char* label, double share, const std::string& text, const char* tip_text) {
+void Widgets::remark(const char* label, const std::string& text, const char* tip_text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, amber);
+    ImGui::PushTextWrapPos();
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    note(("Reading: " + std::string(label)).c_str(), text);
+    tip(tip_text);
+}
+
+void Widgets::gauge(const char* label, double share, Mood mood, const std::string& text, const char* tip_text) {
     ImGui::TextDisabled("%s", label);
     const float left = ImGui::GetWindowContentRegionMin().x;
     ImGui::SameLine(left + label_share * (ImGui::GetWindowContentRegionMax().x - left));
     const ImVec4 calm(0.24f, 0.52f, 0.40f, 1.0f), close(0.66f, 0.47f, 0.13f, 1.0f), past(0.72f, 0.22f, 0.20f, 1.0f);
-    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, share > 1.0 ? past : share > 0.92 ? close : calm);
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, mood == Mood::bad ? past : mood == Mood::close ? close : calm);
     ImGui::ProgressBar(float(std::clamp(share, 0.0, 1.0)), {-1.0f, ImGui::GetTextLineHeight() + 2.0f}, "");
     ImGui::PopStyleColor();
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();

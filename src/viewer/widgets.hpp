@@ -34,8 +34,11 @@ public:
     bool button(const char* label, const char* tip, float width = 0.0f, const char* shown = nullptr);
     bool page(const char* label, bool chosen, float width);
 
-    void reading(const char* label, const std::string& value, const char* tip);
-    void gauge(const char* label, double share, const std::string& text, const char* tip);
+    enum class Mood { calm, close, bad };  // of a reading: plain or green, amber, red
+    void reading(const char* label, const std::string& value, const char* tip, Mood mood = Mood::calm);
+    void gauge(const char* label, double share, Mood mood, const std::string& text, const char* tip);
+    /// A sentence over the panel's width, in amber.
+    void remark(const char* label, const std::string& text, const char* tip);
 
     /// Notes the last item of ImGui in the UI map if its middle can be seen.
     void note(const char* label, const std::string& value);

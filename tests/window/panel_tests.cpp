@@ -169,7 +169,7 @@ TEST_CASE("the clock stops, goes on by steps, and begins anew") {
     app.check_healthy();
 }
 
-TEST_CASE("a run that comes apart stops on its last good frame and names a step that is safe") {
+TEST_CASE("a run that diverges stops on its last good frame and names a step that is safe") {
     const Screen screen;
     const TemporaryFolder folder;
     // 1/60 s is about three times the limit of these springs; a first unevenness is all it needs.
@@ -220,5 +220,51 @@ TEST_CASE("a refusal is told once: closed while the flag plays it stays closed, 
                    [](const Look& look) { return look.text("message").starts_with("Saved "); });
     CHECK(after_a_while().text("message").starts_with("Saved "));
     CHECK(std::filesystem::exists(folder / "kept.toml"));
+    app.check_healthy();
+}
+
+TEST_CASE("the stretch limit and travelling gusts are switched on, and the panel says what the limit achieved") {
+    const Screen screen;
+    App app(screen, {"report", "--size", "900x640"});
+    app.click("Page: Springs");
+    app.show("Stretch limit on");
+    app.click("Stretch limit on");
+    const Look limited = app.wait_until("the limit", [](const Look& look) {
+        return look.has("Reading: Limit") &&
+               look.controls.at("Reading: Limit").value.find("sweeps") != std::string::npos;
+    });
+    CHECK(limited.controls.at("Reading: Limit").value.find(" of 10.0 %") != std::string::npos);
+    CHECK(limited.controls.at("Stretch limit").value == "10");
+    app.click("Back: Stretch limit");
+    app.wait_until("no limit", [](const Look& look) { return !look.has("Reading: Limit"); });
+
+    app.click("Page: Wind");
+    app.show("Travelling gusts");
+    app.set("Travelling gusts", true);
+    const double now = app.look().number("time");
+    app.wait_until("time to pass", [now](const Look& look) { return look.number("time") > now + 0.1; });
+    CHECK(app.look().text("message").empty());
+    app.check_healthy();
+}
+
+TEST_CASE("every method can be chosen by its name") {
+    const Screen screen;
+    App app(screen, {"report", "--size", "900x640"});
+    app.click("Page: Time");
+    for (const std::string method : {"leapfrog", "rk4", "semi-implicit-euler"}) {
+        CAPTURE(method);
+        app.click("Method");
+        app.click("Method: " + method);
+        app.wait_until("the method", [&](const Look& look) {
+            return look.has("Method") && look.controls.at("Method").value == method;
+        });
+        const double now = app.look().number("time");
+        app.wait_until("time to pass", [now](const Look& look) { return look.number("time") > now + 0.1; });
+        CHECK(app.look().text("message").empty());
+    }
+    app.click("Method");
+    CHECK(app.wait_until("the list", [](const Look& look) { return look.has("Method: rk4"); })
+              .has("Method: forward-euler"));
+    app.press("Escape");
     app.check_healthy();
 }

@@ -75,7 +75,7 @@ TEST_CASE_METHOD(StillFlag, "springs outline every cell, and diagonals divide ea
     app.check_healthy();
 }
 
-TEST_CASE_METHOD(StillFlag, "the texture puts its colours in their places; without it the cloth is plain") {
+TEST_CASE_METHOD(StillFlag, "the texture puts its colours in their places, and without it the cloth is plain") {
     const Box flag = app.settle().box("flag");
     const Thirds france = thirds(app.picture(), flag);
     CHECK(france.left.blue > france.left.red + 30);

@@ -17,11 +17,13 @@ inline namespace DRAPEAU_ISA {
 
 /// What a pass after the move did.
 struct PassReport {
+    long long steps = 0;        // it was made after
     long long sweeps = 0;       // over the springs, summed over the steps
     double max_stretch = -1.0;  // share, the greatest that was left
     bool met = true;            // whether all of it was reached
 
     void add(const PassReport& other) {
+        steps += other.steps;
         sweeps += other.sweeps;
         max_stretch = std::fmax(max_stretch, other.max_stretch);
         met = met && other.met;
@@ -39,17 +41,24 @@ struct StretchLimit {
     /// A spring N links from the attachment needs up to about 2.5 N^2 sweeps when all are too long; far fewer when the
     /// step before left them short enough. Beyond this many the report says that the limit was not met.
     static constexpr int max_sweeps = 4000;
+    /// Where so many sweeps bring less than a thousandth of what is left, the attachments do not permit more.
+    static constexpr int sweeps_to_judge = 64;
 
     /// Moves positions `x`. `constants`: of each row.
     template <class Real>
     PassReport apply(const Grid& grid, bool diagonals, const RowConstants<Real>* constants,
                      const Field<Real>& x) const {
-        PassReport report;
+        PassReport report{.steps = 1};
+        double before = INFINITY;  // the stretch when last judged
         for (;;) {
             report.max_stretch = max_stretch(grid, diagonals, x);
             report.met = report.max_stretch <= stretch + tolerance;
             const bool within = report.sweeps == 0 ? report.max_stretch <= stretch : report.met;
             if (within || report.sweeps == max_sweeps || !std::isfinite(report.max_stretch)) return report;
+            if (report.sweeps % sweeps_to_judge == 0) {
+                if (before - report.max_stretch < 1e-3 * (report.max_stretch - stretch)) return report;
+                before = report.max_stretch;
+            }
             const bool down = report.sweeps % 2 == 0;
             for (int n = 0; n < grid.rows; ++n) shorten_row(grid, diagonals, constants, x, down ? n : grid.rows - 1 - n);
             ++report.sweeps;
@@ -80,17 +89,44 @@ private:
         return x.template at<Real>(to) - x.template at<Real>(from);
     }
 
+    /// Greatest square of l/L over `count` springs that start side by side.
+    template <class Real>
+    static double max_square(const Field<Real>& from, std::ptrdiff_t first, const Field<Real>& to,
+                             std::ptrdiff_t end, int count, double rest) {
+        using V = Vector<Real, 16>;
+        const auto scale = static_cast<Real>(1.0 / (rest * rest));
+        V most{};
+        int i = 0;
+        bool finite = true;
+        for (; i + Lanes<V>::width <= count; i += Lanes<V>::width) {
+            const auto d = to.template at<V>(end + i) - from.template at<V>(first + i);
+            const V square = dot(d, d);
+            most = Lanes<V>::greater(most, square);
+            finite = finite && sum_of(square - square) == 0.0;
+        }
+        double all = max_of(most);
+        for (; i < count; ++i) {
+            const auto d = to.template at<Real>(end + i) - from.template at<Real>(first + i);
+            const double square = dot(d, d);
+            finite = finite && std::isfinite(square);
+            all = std::fmax(all, square);
+        }
+        return finite ? all * static_cast<double>(scale) : INFINITY;
+    }
+
     template <class Real>
     static double max_stretch(const Grid& grid, bool diagonals, const Field<Real>& x) {
-        double most = -1.0;
-        for (int j = 0; j < grid.rows; ++j)
-            for_springs(grid, diagonals, j, [&](int i, int row, int di, int dj, double rest) {
-                const auto n = row * x.stride + i;
-                const auto d = difference(x, n, n + dj * x.stride + di);
-                const double share = std::sqrt(static_cast<double>(dot(d, d))) / rest - 1.0;
-                if (!(share <= most) && !std::isnan(most)) most = share;  // a NaN stays
-            });
-        return most;
+        double most = 0.0;
+        for (int j = 0; j < grid.rows; ++j) {
+            const auto here = x.row(j), next = x.row(j + 1);
+            most = std::fmax(most, max_square(here, 0, here, 1, grid.columns - 1, grid.pitch_x));
+            if (j + 1 == grid.rows) continue;
+            most = std::fmax(most, max_square(here, 0, next, 0, grid.columns, grid.pitch_y));
+            if (!diagonals) continue;
+            most = std::fmax(most, max_square(here, 0, next, 1, grid.columns - 1, grid.pitch_diagonal()));
+            most = std::fmax(most, max_square(here, 1, next, 0, grid.columns - 1, grid.pitch_diagonal()));
+        }
+        return std::sqrt(most) - 1.0;
     }
 
     template <class Real>

@@ -12,7 +12,7 @@ inline namespace DRAPEAU_ISA {
 struct ForwardEuler : OneKick {
     static constexpr const char* name = "forward-euler";
     static constexpr int order = 1;
-    static constexpr bool staggered = false;
+    static constexpr bool staggered = false, creates_energy = true;
 
     template <int pass, bool damped, class V, class Rate, class Real>
     DRAPEAU_INLINE static Motion<V> move(const Masses<V>& masses, const Triple<V>& a, const Rate& rate, Real dt) {

@@ -17,7 +17,10 @@ struct Rk4 {
     static constexpr const char* name = "rk4";
     static constexpr int order = 4;
     static constexpr bool staggered = false, starts_with_forces = false;
+    static constexpr bool creates_energy = false, dissipates_energy = true;
     static constexpr double coarsest_step = 1.0 / 60.0;  // s
+    // A mode loses the share y^6/72 of its energy a step, y = omega dt: at 0.3 of the limit the fastest 0.5 %.
+    static constexpr double automatic = 0.4;
     static constexpr int passes = 4;
     static constexpr double stage_time[] = {0.0, 0.5, 0.5, 1.0};
     static constexpr double weight[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};

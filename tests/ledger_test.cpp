@@ -1,0 +1,200 @@
+// The energy ledger tells good runs from garbage, over scenes made by seed.
+//
+// Good: over the run, mean energy and mean 99th percentile of stretch stay within 20 % of a run at an eighth of the step
+// in double. Garbage: they are off by more than a factor of two, or not finite. In between is neither. Motion is chaotic,
+// so means over the run are compared, and energies only above a millionth of what there was to begin with.
+#include "all_methods.hpp"
+#include "catch.hpp"
+#include "run/engine.hpp"
+#include "run/simulation.hpp"
+#include "scene_file.hpp"
+
+#include "drapeau/stability.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using namespace drapeau;
+
+namespace {
+
+constexpr double seconds = 2.0;
+
+/// Numbers drawn from a seed, in order.
+struct Draw {
+    std::uint64_t seed;
+    int n = 0;
+
+    double share() { return 0.5 * (1.0 + random_at(seed, 77, n++)); }  // from 0 to 1
+    double between(double low, double high) { return low + (high - low) * share(); }
+    double decades(double low, double high) { return low * std::pow(high / low, share()); }
+    bool chance(double of) { return share() < of; }
+    int one_of(int count) { return std::min(count - 1, static_cast<int>(count * share())); }
+};
+
+/// A scene of any kind: grid, attachment, springs, damping or none, drag or none, wind, start, method, precision.
+Scene scene_of(std::uint64_t seed) {
+    Draw draw{seed};
+    Scene scene;
+    FlagSettings& flag = scene.flag;
+    flag.columns = 5 + draw.one_of(12), flag.rows = 4 + draw.one_of(9);
+    flag.width = 0.05 * (flag.columns - 1), flag.height = 0.05 * (flag.rows - 1);
+    const Attach attachments[] = {Attach::hoist,  Attach::hoist, Attach::grommets, Attach::top,
+                                  Attach::corner, Attach::edges, Attach::none};
+    flag.attach = attachments[draw.one_of(7)];
+    SpringSettings& springs = scene.springs;
+    springs.mass = draw.decades(5e-5, 1e-3), springs.stiffness = draw.decades(30.0, 2000.0);
+    const double diagonals[] = {0.0, 0.2, 0.5, 1.0};
+    if (const double share = diagonals[draw.one_of(4)]; share > 0.0)
+        springs.diagonal_stiffness = share * springs.stiffness;
+    const double critical = std::sqrt(springs.mass * springs.stiffness);
+    if (draw.chance(0.6)) springs.damping = critical * draw.decades(1e-4, 0.1);
+    if (draw.chance(0.7)) {
+        springs.drag = springs.mass * draw.decades(0.01, 10.0);
+        if (draw.chance(0.6))
+            scene.wind() = Wind{.velocity = {draw.between(2.0, 15.0), 0.0, draw.between(0.0, 2.0)},
+                                .gusts = {draw.between(0.0, 2.0), 0.5, draw.between(0.0, 3.0)},
+                                .travelling = draw.chance(0.5),
+                                .seed = seed};
+    }
+    if (draw.chance(0.8)) scene.gravity().emplace();
+    flag.start = draw.chance(0.4) ? Start::flat : Start::crumpled;
+    if (draw.chance(0.4)) flag.prestretch = draw.between(-0.2, 1.0);
+    const Method methods[] = {method_id<SemiImplicitEuler>, method_id<SemiImplicitEuler>, method_id<Leapfrog>,
+                              method_id<Rk4>};
+    scene.time.method = methods[draw.one_of(4)];
+    scene.time.precision = draw.chance(0.5) ? Precision::double_precision : Precision::single_precision;
+    const double limit = stable_step(scene.time.method, model_of(scene)).seconds();
+    scene.time.dt = whole_steps_per_batch(std::min(draw.between(0.15, 1.0) * limit, batch_seconds));
+    return scene;
+}
+
+struct Means {
+    double energy = 0.0, stretch = 0.0;  // J; share, of the 99th percentile
+
+    bool is_finite() const { return std::isfinite(energy) && std::isfinite(stretch); }
+};
+
+/// The 99th percentile of l/L over the structural springs.
+double percentile_99(const State<double>& state, const Grid& grid) {
+    std::vector<double> all;
+    const auto look = [&](int i, int j, int i2, int j2, double rest) {
+        const auto d = state.position.at(i2, j2) - state.position.at(i, j);
+        all.push_back(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z) / rest);
+    };
+    for (int j = 0; j < grid.rows; ++j)
+        for (int i = 0; i < grid.columns; ++i) {
+            if (i + 1 < grid.columns) look(i, j, i + 1, j, grid.pitch_x);
+            if (j + 1 < grid.rows) look(i, j, i, j + 1, grid.pitch_y);
+        }
+    const auto at = all.begin() + static_cast<std::ptrdiff_t>(all.size() * 99 / 100);
+    std::nth_element(all.begin(), at, all.end());
+    return *at;
+}
+
+/// A run that nothing watches, at a step of its own (s).
+Means unwatched(const Scene& scene, double dt, Precision precision) {
+    const Model model = model_of(scene);
+    const auto engine = make_engine(model, scene.time.method, precision);
+    Scene start = scene;
+    start.time.dt = dt;
+    engine->set(Simulation(start).state());
+    const auto steps = std::llround(batch_seconds / dt);
+    const Clock clock{.dt = dt};
+    Means means;
+    const int batches = static_cast<int>(seconds / batch_seconds);
+    for (int n = 1; n <= batches; ++n) {
+        Report ignored;
+        engine->advance(clock, (n - 1) * steps, n * steps, no_step, ignored, nullptr);
+        const double now = clock.at(n * steps);
+        means.energy += engine->measure(now).total() / batches;
+        means.stretch += percentile_99(engine->state(now), model.grid) / batches;
+    }
+    return means;
+}
+
+enum class Kind { good, between, garbage };
+
+Kind kind_of(const Means& run, const Means& reference, double floor) {
+    if (!run.is_finite()) return Kind::garbage;
+    const double energy = (run.energy + floor) / (reference.energy + floor), stretch = run.stretch / reference.stretch;
+    const auto off_by = [](double ratio, double by) { return ratio > by || ratio < 1.0 / by; };
+    if (off_by(energy, 2.0) || off_by(stretch, 2.0)) return Kind::garbage;
+    return std::abs(energy - 1.0) < 0.2 && std::abs(stretch - 1.0) < 0.2 ? Kind::good : Kind::between;
+}
+
+/// Whether a watched run is called diverged.
+bool is_called_diverged(const Scene& scene) {
+    Simulation simulation(scene);
+    for (double n = 0; n < seconds / batch_seconds - 0.5; ++n)
+        if (simulation.advance_batch()) return true;
+    return simulation.check().has_value();
+}
+
+/// Energies below this tell nothing: a millionth of what springs hold when stretched by a tenth.
+double floor_of(const Scene& scene) {
+    return 1e-6 * 0.5 * scene.springs.stiffness * std::pow(0.1 * 0.05, 2) * 2.0 * scene.flag.columns * scene.flag.rows;
+}
+
+}  // namespace
+
+TEST_CASE("No good run is called diverged and no garbage good", "[physics][ledger]") {
+    int good = 0, garbage = 0;
+    for (std::uint64_t seed = 1001; seed <= 1064; ++seed) {
+        const Scene scene = scene_of(seed);
+        const double dt = *scene.time.dt;
+        const double limit = stable_step(scene.time.method, model_of(scene)).seconds();
+        const double fine = whole_steps_per_batch(std::min(dt, 0.5 * limit) / 8.0);
+        const auto reference = unwatched(scene, fine, Precision::double_precision);
+        const auto kind = kind_of(unwatched(scene, dt, scene.time.precision), reference, floor_of(scene));
+        const bool diverged = is_called_diverged(scene);
+        INFO("seed " << seed << ", " << name_of(scene.time.method) << " at " << dt / limit << " of its limit");
+        if (kind == Kind::good) {
+            CHECK_FALSE(diverged);
+            ++good;
+        }
+        if (kind == Kind::garbage) {
+            CHECK(diverged);
+            ++garbage;
+        }
+    }
+    // There are enough of either kind for the test to mean something.
+    CHECK(good >= 30);
+    CHECK(garbage >= 6);
+}
+
+TEST_CASE("With an automatic step no run is garbage and none diverges", "[physics][ledger]") {
+    for (std::uint64_t seed = 2001; seed <= 2024; ++seed) {
+        Scene scene = scene_of(seed);
+        scene.time.dt.reset();
+        INFO("seed " << seed << ", " << name_of(scene.time.method));
+        Simulation simulation(scene);
+        const double usual = simulation.dt();
+        const auto reference = unwatched(scene, whole_steps_per_batch(usual / 8.0), Precision::double_precision);
+        Means means;
+        const int batches = static_cast<int>(seconds / batch_seconds);
+        bool diverged = false;
+        for (int n = 0; n < batches && !diverged; ++n) {
+            diverged = simulation.advance_batch().has_value();
+            const auto readings = simulation.readings();
+            means.energy += (readings.kinetic_energy + readings.spring_energy) / batches;
+            means.stretch += percentile_99(simulation.state(), simulation.model().grid) / batches;
+        }
+        CHECK_FALSE(diverged);
+        CHECK(kind_of(means, reference, floor_of(scene)) != Kind::garbage);
+    }
+}
+
+TEST_CASE("A long quiet run adds up no false alarm", "[physics][ledger]") {
+    for (const auto precision : {Precision::single_precision, Precision::double_precision}) {
+        Scene scene = read_scene(find_scene("report"));
+        scene.flag.columns = 12, scene.flag.rows = 8;
+        scene.springs.mass *= 16.0;
+        scene.time.precision = precision;
+        Simulation simulation(scene);
+        for (int n = 0; n < 60 * 300; ++n) REQUIRE_FALSE(simulation.advance_batch());
+        CHECK(simulation.lowered_because().empty());
+        CHECK(std::abs(simulation.readings().created_share) < 0.1);
+    }
+}
