@@ -106,7 +106,7 @@ private:
     static void take(Model& model, const SpringDamping& damping) { model.springs.damping = damping.c; }
     template <class T>
     static void take(Model& model, const T& listed) {
-        if constexpr (requires { model.terms.template get<T>(); })
+        if constexpr (Terms::has<T>)
             model.terms.add(listed);
         else
             model.limits.add(listed);

@@ -157,8 +157,10 @@ class ModelRows {
 public:
     explicit ModelRows(const Model& model)
         : width_(padded<Real>(model.grid.columns)),
-          arrays_(model.kinds().size() * arrays_a_kind * static_cast<std::size_t>(width_)) {
-        for (int j = 0; j < model.grid.rows; ++j) constants_.push_back(constants_of(model, model.kind(j)));
+          arrays_(model.kinds().size() * arrays_a_kind * static_cast<std::size_t>(width_)),
+          constants_(static_cast<std::size_t>(model.grid.rows)) {
+        for (std::size_t j = 0; j < constants_.size(); ++j)
+            constants_[j] = constants_of(model, model.kind(static_cast<int>(j)));
         refill(model);
     }
 
@@ -217,7 +219,7 @@ private:
 
     int width_;
     Array<Real> arrays_;
-    std::vector<RowConstants<Real>> constants_;
+    Array<RowConstants<Real>> constants_;
 };
 
 }  // namespace DRAPEAU_ISA

@@ -378,7 +378,7 @@ private:
     ModelRows<Real> rows_;
     std::vector<FieldBuffer<Real>> fields_;
     FieldBuffer<Real> moved_;
-    std::vector<RowSums> sums_;
+    Array<RowSums> sums_;  // not std's: its functions would be shared between instruction sets (isa.hpp)
     std::vector<std::unique_ptr<Member>> members_;
     std::unique_ptr<Member> whole_;  // all rows, for what one member does alone
     std::unique_ptr<Team> team_;

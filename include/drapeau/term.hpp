@@ -17,6 +17,7 @@
 
 #include <optional>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace drapeau {
@@ -35,6 +36,9 @@ struct PushedRow {
 template <class... Listed>
 class ListOf {
 public:
+    template <class T>
+    static constexpr bool has = (std::is_same_v<T, Listed> || ...);
+
     template <class T>
     std::optional<T>& get() {
         return std::get<std::optional<T>>(all_);

@@ -4,7 +4,8 @@
 // A spring that is too long is shortened by moving its two ends along it, in proportion to their inverse masses, so that
 // linear momentum is kept (Provot 1995). One sweep over the springs shortens each in turn; sweeps go on, to and fro,
 // until none is too long. Velocities follow what was moved (v += dx/dt): clamped positions alone would leave a hidden
-// velocity that grows for ever.
+// velocity that grows for ever. For the same reason the sweeps begin as soon as a spring is too long at all, not when it
+// is by more than what may be left: an excess gathered over many steps and taken back in one would be thrown back.
 #pragma once
 
 #include "drapeau/state.hpp"
@@ -52,7 +53,8 @@ struct StretchLimit {
         for (;;) {
             report.max_stretch = max_stretch(grid, diagonals, x);
             report.met = report.max_stretch <= stretch + tolerance;
-            if (report.met || report.sweeps == max_sweeps || !std::isfinite(report.max_stretch)) return report;
+            const bool within = report.sweeps == 0 ? report.max_stretch <= stretch : report.met;
+            if (within || report.sweeps == max_sweeps || !std::isfinite(report.max_stretch)) return report;
             if (report.sweeps % sweeps_to_judge == 0) {
                 if (before - report.max_stretch < 1e-3 * (report.max_stretch - stretch)) return report;
                 before = report.max_stretch;

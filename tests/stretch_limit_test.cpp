@@ -1,0 +1,190 @@
+// Stretch limit: after a step no spring is longer than asked, as far as attachments permit, and nothing else is changed
+// by it: momentum is kept, velocities follow, a flag within the limit moves as if there were none.
+#include "catch.hpp"
+#include "physics_reference.hpp"
+#include "physics_sheet.hpp"
+
+using namespace drapeau;
+using namespace drapeau::testing;
+
+namespace {
+
+constexpr double limit = 0.05;
+
+Model sheet_of(const Grid& grid, const Springs& springs, Attach attach, const Terms& terms = {},
+               std::optional<double> stretch = limit) {
+    Limits limits;
+    if (stretch) limits.add(StretchLimit{*stretch});
+    return Model(grid, springs, attach, terms, limits);
+}
+const auto springs_of = all_springs(0.01, 200.0, 100.0, 0.05);
+
+/// A share of the step that is stable for all but forward Euler, which takes one at which it grows little.
+template <class Method>
+double tame_step(const Model& model) {
+    return (std::is_same_v<Method, ForwardEuler> ? 0.02 : 0.3) * stable_step(SemiImplicitEuler{}, model).seconds();
+}
+
+glm::dvec3 momentum(const Model& model, const Points& v) {
+    glm::dvec3 sum(0.0);
+    for (int n = 0; n < masses_of(model); ++n)
+        sum += model.mass(n % model.grid.columns, n / model.grid.columns) * v[static_cast<std::size_t>(n)];
+    return sum;
+}
+
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("After a step no spring is longer than the limit", "[physics]", AllCases) {
+    using Real = typename TestType::Real;
+    using Method = typename TestType::Method;
+    for (const auto& [columns, rows] : {std::pair{1, 9}, {9, 1}, {2, 2}, {7, 5}, {17, 6}})
+        for (const auto& springs : springs_of)
+            for (const Attach attach : {Attach::none, Attach::hoist, Attach::corner}) {
+                const Model model =
+                    sheet_of({columns, rows, 0.1, 0.08}, springs, attach, Terms().add(Gravity{}).add(AirDrag{0.02}));
+                // Half as long again as at rest, but for what is held
+                auto x = scattered(model.grid, 0.01);
+                for (int n = 0; n < masses_of(model); ++n)
+                    x[n] = is_held(model, n) ? model.grid.rest(n % columns, n / columns) : 1.5 * x[n];
+                Sheet<Real, Method> sheet(model, x, noise(masses_of(model), 0.3));
+                const double dt = tame_step<Method>(model);
+                for (int step = 0; step < 10; ++step) {
+                    const Report report = sheet.advance(dt, 1);
+                    const double stretch = Reference(model).max_stretch(sheet.positions());
+                    CHECK(report.limit.met);
+                    CHECK(
+                        (step > 0 || report.limit.sweeps > 0 || is_held(model, masses_of(model) - 1)));  // all are held
+                    // What is left is said to be left, but for the rounding of coordinates of up to 3 m over springs of
+                    // 0.08 m.
+                    const double rounding = 4.0 * epsilon<Real> * 3.0 / 0.08;
+                    CHECK(stretch <= limit + StretchLimit::tolerance + rounding);
+                    CHECK(std::abs(stretch - report.limit.max_stretch) <= rounding);
+                    for (int n = 0; n < masses_of(model); ++n)
+                        if (is_held(model, n)) CHECK(length(sheet.positions()[n] - x[n]) <= epsilon<Real> * 4.0);
+                }
+            }
+}
+
+TEMPLATE_LIST_TEST_CASE("A flag within its limit moves as if there were none, to the bit", "[physics]", AllCases) {
+    using Tested = Sheet<typename TestType::Real, typename TestType::Method>;
+    for (const auto& springs : springs_of) {
+        const auto terms = Terms().add(Gravity{}).add(AirDrag{0.02});
+        const Model limited = sheet_of({9, 6, 0.1, 0.1}, springs, Attach::grommets, terms, 1.0),
+                    free = sheet_of({9, 6, 0.1, 0.1}, springs, Attach::grommets, terms, {});
+        const auto x = scattered(limited.grid, 0.01), v = noise(54, 0.3);
+        Tested a(limited, x, v), b(free, x, v);
+        const double dt = tame_step<typename TestType::Method>(limited);
+        const Report report = a.advance(dt, 100, 50);
+        b.advance(dt, 100, 50);
+        CHECK(same_bits(a, b));
+        CHECK(report.limit.sweeps == 0);
+        CHECK(report.limit.met);
+        CHECK(report.work.passes == 0.0);
+    }
+}
+
+TEMPLATE_LIST_TEST_CASE("The limit keeps the momentum of a free flag, and its centre of mass", "[physics]", AllCases) {
+    using Real = typename TestType::Real;
+    using Method = typename TestType::Method;
+    for (const Borders borders : {Borders::alike, Borders::light})
+        for (const auto& springs : springs_of) {
+            const Model model({9, 6, 0.1, 0.08}, springs, Attach::none, {}, Limits().add(StretchLimit{limit}), borders);
+            auto x = scattered(model.grid, 0.01);
+            for (auto& p : x) p *= 1.2;
+            const auto v = noise(54, 0.3);
+            Sheet<Real, Method> sheet(model, x, v);
+            const auto before = momentum(model, sheet.velocities());
+            const double dt = tame_step<Method>(model);
+            const int steps = 20;
+            const Report report = sheet.advance(dt, steps);
+            CHECK(report.limit.sweeps > 0);
+            // A sweep moves the ends of up to 200 springs, each rounded by half an eps of a coordinate below 1 m: a
+            // velocity of that over dt. Steps themselves round velocities of up to 0.2 m / dt.
+            const double a_mass = model.springs.mass * epsilon<Real> / dt;
+            const double rounding = 2 * 200 * static_cast<double>(report.limit.sweeps) * 0.5 * a_mass +
+                                    steps * Method::passes * 54 * 2.0 * 0.2 * a_mass;
+            CHECK(length(momentum(model, sheet.velocities()) - before) < rounding);
+            CHECK(distance(sheet.velocities(), v) > 0.1);
+        }
+}
+
+TEMPLATE_LIST_TEST_CASE("Masses that hang at the limit have no hidden velocity", "[physics]", AllCases) {
+    // Their springs would let the lowest down by 0.49 m and more; the limit holds it after 0.05 m. Positions that are
+    // clamped alone leave a stored velocity that grows by 8.8 m/s2 or so: 88 m/s after ten seconds. An excess that is
+    // left to gather over many small steps before it is taken back throws masses up again: by 1e-4 m in 1e-5 s.
+    using Real = typename TestType::Real;
+    using Method = typename TestType::Method;
+    const double m = 0.01, g = 9.8, k = 0.2;
+    for (const auto& [dt, seconds] : {std::pair{1e-3, 10.0}, {1e-4, 3.0}, {1e-5, 0.5}})
+        for (const int springs : {1, 4})
+            for (const auto c : {std::optional<double>(), std::optional(0.001)}) {
+                const Model model = sheet_of({1, springs + 1, 1.0 / springs, 1.0 / springs}, {m, springs * k, {}, c},
+                                             Attach::top, Terms().add(Gravity{}).add(AirDrag{0.01}));
+                Points x;
+                for (int j = 0; j <= springs; ++j) x.push_back((1.0 + limit) * model.grid.rest(0, j));
+                Sheet<Real, Method> hanging(model, x, at_rest(model));
+                const long long steps = std::lround(seconds / dt);
+                const Report report = hanging.advance(dt, steps);
+                CHECK(report.limit.met);
+                // In float a fall below half an ulp of 1 m, 6e-8 m, is no fall.
+                CHECK(report.limit.sweeps > (std::is_same_v<Real, double> ? 9 * steps / 10 : 0));
+                // A step falls by dt g at most before it is held again, of which twice is felt where several springs
+                // are shortened in turn; where it is held is known to an eps of 1 m, which is a velocity over dt, each
+                // sweep's for each spring.
+                const double a_step = dt * g + 4.0 * springs * epsilon<Real> / dt;
+                CHECK(root_mean_square(hanging.stored_velocities()) < 2.0 * a_step);
+                CHECK(root_mean_square(hanging.velocities()) < 2.0 * a_step);
+                CHECK(std::abs(-hanging.positions().back().y - (1.0 + limit)) <
+                      StretchLimit::tolerance + 4.0 * springs * epsilon<Real>);
+            }
+}
+
+TEMPLATE_LIST_TEST_CASE("A limit that attachments do not permit ends, says so and stays finite", "[physics]",
+                        AllCases) {
+    // Both ends of a chain are held a third too far apart; and a taut sheet whose every edge is held.
+    using Real = typename TestType::Real;
+    using Method = typename TestType::Method;
+    for (const auto& [columns, rows] : {std::pair{5, 1}, {4, 4}}) {
+        const Model model = sheet_of({columns, rows, 0.1, 0.1}, springs_of[3], Attach::edges);
+        auto x = scattered(model.grid, 0.0);
+        for (auto& p : x) p *= 1.0 + 1.0 / 3.0;
+        Sheet<Real, Method> taut(model, x, at_rest(model));
+        const double dt = tame_step<Method>(model);
+        const Report report = taut.advance(dt, 3);
+        CHECK_FALSE(report.limit.met);
+        CHECK(report.limit.steps == 3);
+        CHECK(report.limit.sweeps >= 3 * StretchLimit::sweeps_to_judge);
+        CHECK(report.limit.sweeps <= 3 * StretchLimit::max_sweeps);
+        CHECK(report.limit.max_stretch > 1.0 / 3.0 - 1e-3);  // as long as held ends leave it, evenly at best
+        CHECK(distance(taut.positions(), x) < 0.1);          // false for NaN
+        CHECK(length(taut.velocities()[0]) == 0.0);
+    }
+}
+
+TEMPLATE_LIST_TEST_CASE("A state that is not finite ends the sweeps at once", "[physics]", DoubleCases) {
+    const Model model = sheet_of({5, 4, 0.1, 0.1}, springs_of[3], Attach::hoist);
+    auto x = scattered(model.grid, 0.01);
+    x[7] = glm::dvec3(NAN);
+    Sheet<typename TestType::Real, typename TestType::Method> sheet(model, x, at_rest(model));
+    const Report report = sheet.advance(1e-4, 2);
+    CHECK(report.limit.sweeps == 0);
+    CHECK_FALSE(report.limit.met);
+}
+
+TEMPLATE_LIST_TEST_CASE("The energy a limit takes or adds is counted as its own", "[physics]", DoubleCases) {
+    // Of the step alone as without a limit, the rest is what the limit made: energies as measured, to rounding.
+    using Method = typename TestType::Method;
+    const auto terms = Terms().add(Gravity{}).add(AirDrag{0.02});
+    const Model limited = sheet_of({6, 5, 0.1, 0.1}, springs_of[3], Attach::grommets, terms),
+                free = sheet_of({6, 5, 0.1, 0.1}, springs_of[3], Attach::grommets, terms, {});
+    auto x = scattered(limited.grid, 0.01);
+    const auto v = noise(30, 0.5);
+    Sheet<double, Method> a(limited, x, v), b(free, x, v);
+    const double dt = tame_step<Method>(limited);
+    const Work with = a.accounted_step(dt).work, without = b.accounted_step(dt).work;
+    CHECK(with.external == Approx(without.external).epsilon(1e-12));
+    CHECK(with.damping == Approx(without.damping).epsilon(1e-12));
+    CHECK(without.passes == 0.0);
+    CHECK(std::abs(with.passes) > 1e-6);
+    CHECK(a.measure().balance() - b.measure().balance() == Approx(with.passes).epsilon(1e-9));
+}
