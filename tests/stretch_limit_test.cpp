@@ -115,7 +115,7 @@ TEMPLATE_LIST_TEST_CASE("Masses that hang at the limit have no hidden velocity",
     using Real = typename TestType::Real;
     using Method = typename TestType::Method;
     const double m = 0.01, g = 9.8, k = 0.2;
-    for (const auto& [dt, seconds] : {std::pair{1e-3, 10.0}, {1e-4, 3.0}, {1e-5, 0.5}})
+    for (const auto& [dt, seconds] : {std::pair{1e-3, 10.0}, {1e-4, 1.0}, {1e-5, 0.1}})
         for (const int springs : {1, 4})
             for (const auto c : {std::optional<double>(), std::optional(0.001)}) {
                 const Model model = sheet_of({1, springs + 1, 1.0 / springs, 1.0 / springs}, {m, springs * k, {}, c},
