@@ -18,11 +18,16 @@ inline namespace DRAPEAU_ISA {
 /// A spring this short (m) has no direction: its force fades to zero there instead of becoming NaN.
 inline constexpr double shortest_length = 1e-15;
 
+/// l^2 from d, never below the shortest.
+template <class V>
+DRAPEAU_INLINE V squared_length(const Triple<V>& d) {
+    constexpr auto floor = static_cast<typename Lanes<V>::Real>(shortest_length * shortest_length);
+    return d.x * d.x + (d.y * d.y + (d.z * d.z + floor));
+}
 /// 1/l from d, and the force over d without damping: with r = 1/l it is k - r k L.
 template <class V>
 DRAPEAU_INLINE V inverse_length(const Triple<V>& d) {
-    constexpr auto floor = static_cast<typename Lanes<V>::Real>(shortest_length * shortest_length);
-    return inverse_sqrt<V>(d.x * d.x + (d.y * d.y + (d.z * d.z + floor)));
+    return inverse_sqrt<V>(squared_length(d));
 }
 
 /// What a row of masses shows to its springs.
@@ -113,9 +118,9 @@ struct SpringGauge : SpringForceParts<V, damped> {
     DRAPEAU_INLINE Value pull(const SpringRow<Real>& spring, int i, const End& a, const End& b) {
         using L = Lanes<V>;
         const auto d = b.x - a.x;
-        const V square = dot(d, d) + static_cast<Real>(shortest_length * shortest_length);
         const V k = L::load(spring.k + i);
-        const V longer = L::where_positive(k, square * inverse_sqrt<V>(square) - spring.length);
+        // The same root as that of the force, which the compiler sees: it is taken once.
+        const V longer = L::where_positive(k, squared_length(d) * inverse_length(d) - spring.length);
         const V size = L::greater(longer, V{} - longer), inverse = L::broadcast(Real(1) / spring.length);
         elastic = elastic + (Real(0.5) * k) * (longer * longer);
         stretch = stretch + size * inverse;

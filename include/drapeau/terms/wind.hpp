@@ -73,7 +73,7 @@ struct Wind {
         return w;
     }
     /// The wind at a mass whose rest place is `rest` (m).
-    glm::dvec3 at(double t, const glm::dvec3& rest) const { return at(t - delay(rest)); }
+    glm::dvec3 at(double t, const glm::dvec3& rest) const { return at(t - delay(slowness(), rest)); }
 
     bool varies_by_row(const Grid&) const { return travelling && velocity.y != 0.0; }
 
@@ -94,12 +94,14 @@ private:
     static constexpr double slow = 0.8944271909999159, fast = 0.4472135954999579;  // square roots of 0.8 and 0.2
 
     double slow_knots(double t) const { return 2.0 * t / period; }  // a slow gust rises and falls in one period
-    double delay(const glm::dvec3& rest) const {
-        if (!travelling) return 0.0;
+    /// How much later (s) a gust comes, for each metre along each axis.
+    glm::dvec3 slowness() const {
         const double speed = std::hypot(velocity.x, velocity.y, velocity.z);
-        if (speed == 0.0) return 0.0;
-        const double along = (rest.x * velocity.x + rest.y * velocity.y + rest.z * velocity.z) / speed;
-        return along / std::fmax(speed, 1.0);
+        if (!travelling || speed == 0.0) return glm::dvec3(0.0);
+        return velocity / (speed * std::fmax(speed, 1.0));
+    }
+    static double delay(const glm::dvec3& slowness, const glm::dvec3& rest) {
+        return slowness.x * rest.x + slowness.y * rest.y + slowness.z * rest.z;
     }
 
     /// The values of both scales' knots around one moment, kept while neighbours need the same.
@@ -121,8 +123,9 @@ private:
     template <class Real>
     void accelerate_travelling(const PushedRow<Real>& row, double t, const Field<Real>& a) const {
         Knots knots[2];
+        const glm::dvec3 later = slowness();
         for (int i = 0; i < row.grid.columns; ++i) {
-            const double s = slow_knots(t - delay(row.grid.rest(i, row.row)));
+            const double s = slow_knots(t - delay(later, row.grid.rest(i, row.row)));
             double w[3] = {velocity.x, velocity.y, velocity.z};
             for (int scale = 0; scale < 2; ++scale) {
                 const double place = scale == 0 ? s : 4.0 * s, knot = std::floor(place), share = eased(place - knot);
