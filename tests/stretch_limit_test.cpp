@@ -25,6 +25,7 @@ double tame_step(const Model& model) {
     return (std::is_same_v<Method, ForwardEuler> ? 0.02 : 0.3) * stable_step(SemiImplicitEuler{}, model).seconds();
 }
 
+/// The sum of m v; of positions it is the moment of mass.
 glm::dvec3 momentum(const Model& model, const Points& v) {
     glm::dvec3 sum(0.0);
     for (int n = 0; n < masses_of(model); ++n)
@@ -93,7 +94,7 @@ TEMPLATE_LIST_TEST_CASE("The limit keeps the momentum of a free flag, and its ce
             for (auto& p : x) p *= 1.2;
             const auto v = noise(54, 0.3);
             Sheet<Real, Method> sheet(model, x, v);
-            const auto before = momentum(model, sheet.velocities());
+            const auto before = momentum(model, sheet.velocities()), from = momentum(model, sheet.positions());
             const double dt = tame_step<Method>(model);
             const int steps = 20;
             const Report report = sheet.advance(dt, steps);
@@ -104,6 +105,8 @@ TEMPLATE_LIST_TEST_CASE("The limit keeps the momentum of a free flag, and its ce
             const double rounding = 2 * 200 * static_cast<double>(report.limit.sweeps) * 0.5 * a_mass +
                                     steps * Method::passes * 54 * 2.0 * 0.2 * a_mass;
             CHECK(length(momentum(model, sheet.velocities()) - before) < rounding);
+            // The centre of mass goes on with it, as far as it is kept.
+            CHECK(length(momentum(model, sheet.positions()) - from - steps * dt * before) < steps * dt * rounding);
             CHECK(distance(sheet.velocities(), v) > 0.1);
         }
 }
