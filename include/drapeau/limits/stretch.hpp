@@ -41,7 +41,8 @@ struct StretchLimit {
     /// A spring N links from the attachment needs up to about 2.5 N^2 sweeps when all are too long; far fewer when the
     /// step before left them short enough. Beyond this many the report says that the limit was not met.
     static constexpr int max_sweeps = 4000;
-    /// Where so many sweeps bring less than a thousandth of what is left, the attachments do not permit more.
+    /// Where so many sweeps take less than a thousandth from the sum of what is too long, the attachments do not permit
+    /// more. (The sum, for the greatest stretch stays for long where shortening comes from a free end far away.)
     static constexpr int sweeps_to_judge = 64;
 
     /// Moves positions `x`. `constants`: of each row.
@@ -49,18 +50,21 @@ struct StretchLimit {
     PassReport apply(const Grid& grid, bool diagonals, const RowConstants<Real>* constants,
                      const Field<Real>& x) const {
         PassReport report{.steps = 1};
-        double before = INFINITY;  // the stretch when last judged
+        double excess = INFINITY, before = INFINITY;  // m, what the last sweep found too long; that when last judged
         for (;;) {
             report.max_stretch = max_stretch(grid, diagonals, x);
             report.met = report.max_stretch <= stretch + tolerance;
             const bool within = report.sweeps == 0 ? report.max_stretch <= stretch : report.met;
             if (within || report.sweeps == max_sweeps || !std::isfinite(report.max_stretch)) return report;
-            if (report.sweeps % sweeps_to_judge == 0) {
-                if (before - report.max_stretch < 1e-3 * (report.max_stretch - stretch)) return report;
-                before = report.max_stretch;
+            if (excess == 0.0) return report;  // what is too long is held at both ends
+            if (report.sweeps > 0 && report.sweeps % sweeps_to_judge == 0) {
+                if (before - excess < 1e-3 * excess) return report;
+                before = excess;
             }
             const bool down = report.sweeps % 2 == 0;
-            for (int n = 0; n < grid.rows; ++n) shorten_row(grid, diagonals, constants, x, down ? n : grid.rows - 1 - n);
+            excess = 0.0;
+            for (int n = 0; n < grid.rows; ++n)
+                excess += shorten_row(grid, diagonals, constants, x, down ? n : grid.rows - 1 - n);
             ++report.sweeps;
         }
     }
@@ -129,9 +133,11 @@ private:
         return std::sqrt(most) - 1.0;
     }
 
+    /// Returns by how much the springs that row j starts were too long, in all (m).
     template <class Real>
-    void shorten_row(const Grid& grid, bool diagonals, const RowConstants<Real>* constants, const Field<Real>& x,
-                     int j) const {
+    double shorten_row(const Grid& grid, bool diagonals, const RowConstants<Real>* constants, const Field<Real>& x,
+                       int j) const {
+        double sum = 0.0;
         for_springs(grid, diagonals, j, [&](int i, int row, int di, int dj, double rest) {
             const auto from = row * x.stride + i, to = from + dj * x.stride + di;
             const auto longest = static_cast<Real>((1.0 + stretch) * rest);
@@ -139,10 +145,12 @@ private:
             const Real square = dot(d, d);
             const Real w = constants[row].inverse_mass[i], w_to = constants[row + dj].inverse_mass[i + di];
             if (!(square > longest * longest) || w + w_to == Real(0)) return;
-            const Real excess = (Real(1) - longest / std::sqrt(square)) / (w + w_to);
+            const Real l = std::sqrt(square), excess = (Real(1) - longest / l) / (w + w_to);
+            sum += static_cast<double>(l - longest);
             x.set(from, x.template at<Real>(from) + (w * excess) * d);
             x.set(to, x.template at<Real>(to) - (w_to * excess) * d);
         });
+        return sum;
     }
 };
 
