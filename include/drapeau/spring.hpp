@@ -98,9 +98,14 @@ struct SpringForceParts : SpringForce<V, damped> {
     using Value = Parts<V>;
 
     DRAPEAU_INLINE Value pull(const SpringRow<Real>& spring, int i, const End& a, const End& b) {
-        using L = Lanes<V>;
         const auto d = b.x - a.x;
-        const V r = inverse_length(d);
+        return parts(spring, i, a, b, d, inverse_length(d));
+    }
+
+protected:
+    DRAPEAU_INLINE static Value parts(const SpringRow<Real>& spring, int i, const End& a, const End& b,
+                                      const Triple<V>& d, V r) {
+        using L = Lanes<V>;
         Value f{(L::load(spring.k + i) - r * L::load(spring.k_length + i)) * d, {}};
         if constexpr (damped) f.damping = (r * ((L::load(spring.c + i) * r) * dot(b.v - a.v, d))) * d;
         return f;
@@ -118,9 +123,8 @@ struct SpringGauge : SpringForceParts<V, damped> {
     DRAPEAU_INLINE Value pull(const SpringRow<Real>& spring, int i, const End& a, const End& b) {
         using L = Lanes<V>;
         const auto d = b.x - a.x;
-        const V k = L::load(spring.k + i);
-        // The same root as that of the force, which the compiler sees: it is taken once.
-        const V longer = L::where_positive(k, squared_length(d) * inverse_length(d) - spring.length);
+        const V k = L::load(spring.k + i), square = squared_length(d), r = inverse_sqrt<V>(square);
+        const V longer = L::where_positive(k, square * r - spring.length);
         const V size = L::greater(longer, V{} - longer), inverse = L::broadcast(Real(1) / spring.length);
         elastic = elastic + (Real(0.5) * k) * (longer * longer);
         stretch = stretch + size * inverse;
@@ -128,7 +132,7 @@ struct SpringGauge : SpringForceParts<V, damped> {
         force_squares = force_squares + (k * size) * (k * size);
         // Where there is no spring the share is that of the shortest one, -1.
         max_stretch = L::greater(max_stretch, L::where_positive(k, longer * inverse + Real(1)) - Real(1));
-        return SpringForceParts<V, damped>::pull(spring, i, a, b);
+        return SpringForceParts<V, damped>::parts(spring, i, a, b, d, r);
     }
 };
 
