@@ -1,5 +1,5 @@
-// Scene: what a scene file says, as plain data: the settings a model is built from (model_of), how it is integrated, and
-// what the window shows. What a scene does not list (an empty optional) is not computed.
+// Scene: what a scene file says, as plain data: the settings a model is built from (model_of), how it is integrated,
+// and what the window shows. What a scene does not list (an empty optional) is not computed.
 #pragma once
 
 #include "drapeau/methods/list.hpp"

@@ -1,6 +1,6 @@
 // The keys of a scene file, one row each: the row drives reading, writing, checking and every message about the key.
-// To add a key, add its member to the settings or the term it belongs to and its row here. A term or limit with a table of
-// its own needs a tuple of rows, keys_of<Term>; the list of terms does the rest.
+// To add a key, add its member to the settings or the term it belongs to and its row here. A term or limit with a table
+// of its own needs a tuple of rows, keys_of<Term>; the list of terms does the rest.
 #pragma once
 
 #include "scene.hpp"
@@ -87,10 +87,9 @@ inline constexpr std::tuple flag_keys{
 
 inline constexpr std::tuple springs_keys{
     Key{"mass", &SpringSettings::mass, "kg, of every mass", Range{1e-9, 1e3}, "", true},
-    Key{"stiffness", &SpringSettings::stiffness, "N/m, of springs between side neighbours", Range{1e-9, 1e9}, "",
-          true},
+    Key{"stiffness", &SpringSettings::stiffness, "N/m, of springs between side neighbours", Range{1e-9, 1e9}, "", true},
     Key{"diagonal_stiffness", &SpringSettings::diagonal_stiffness, "N/m, of springs between diagonal neighbours",
-          Range{1e-9, 1e9}},
+        Range{1e-9, 1e9}},
     Key{"damping", &SpringSettings::damping, "N s/m, along every spring", Range{0, 1e6}},
     Key{"drag", &SpringSettings::drag, "N s/m, of every mass against the air", Range{0, 1e6}},
     Key{"friction", &SpringSettings::friction, "N s/m, of every mass, whatever the air does", Range{0, 1e6}},
@@ -108,7 +107,7 @@ inline constexpr std::tuple keys_of<Gravity>{
 template <>
 inline constexpr std::tuple keys_of<Wind>{
     Key{"velocity", &Wind::velocity, "m/s, the mean; x away from the pole, y up, z towards the viewer",
-          Range{-1e6, 1e6}},
+        Range{-1e6, 1e6}},
     Key{"gusts", &Wind::gusts, "m/s, rms on each axis", Range{0, 1e6}},
     Key{"period", &Wind::period, "s, how fast gusts change", Range{1e-3, 1e6}},
     Key{"travelling", &Wind::travelling, "gusts run along the flag with the mean wind; false: the same everywhere"},
@@ -118,7 +117,7 @@ inline constexpr std::tuple keys_of<Wind>{
 template <>
 inline constexpr std::tuple keys_of<StretchLimit>{
     Key{"stretch", &StretchLimit::stretch, "share; 0.05: no spring longer than 1.05 times its rest length",
-          Range{0, 10}, "", true},
+        Range{0, 10}, "", true},
 };
 
 inline constexpr std::tuple time_keys{

@@ -176,12 +176,8 @@ Scene violent() {
     scene.flag.width = 0.55, scene.flag.height = 0.4;
     scene.flag.start = Start::crumpled;
     scene.flag.prestretch = 0.8;
-    scene.springs = {.mass = 1e-4,
-                     .stiffness = 300.0,
-                     .diagonal_stiffness = 150.0,
-                     .damping = 1e-4,
-                     .drag = 5e-4,
-                     .friction = {}};
+    scene.springs = {
+        .mass = 1e-4, .stiffness = 300.0, .diagonal_stiffness = 150.0, .damping = 1e-4, .drag = 5e-4, .friction = {}};
     scene.gravity() = Gravity{};
     scene.time.precision = Precision::double_precision;
     return scene;
@@ -277,8 +273,14 @@ TEST_CASE("No finite setting, however extreme, shows a value that is not finite"
         void (*apply)(Scene&);
     };
     const Extreme extremes[] = {
-        {"hurricane of 1e6 m/s", [](Scene& s) { s.wind()->velocity = {1e6, 0.0, 1e6}; }},
-        {"gusts of 1e6 m/s", [](Scene& s) { s.wind()->gusts = {1e6, 1e6, 1e6}; }},
+        {"hurricane of 1e6 m/s",
+         [](Scene& s) {
+             s.wind()->velocity = {1e6, 0.0, 1e6};
+         }},
+        {"gusts of 1e6 m/s",
+         [](Scene& s) {
+             s.wind()->gusts = {1e6, 1e6, 1e6};
+         }},
         {"travelling gusts of 1e6 m/s",
          [](Scene& s) {
              s.wind()->gusts = {1e6, 1e6, 1e6};
@@ -288,7 +290,10 @@ TEST_CASE("No finite setting, however extreme, shows a value that is not finite"
         {"stiffness 1e8 at a numeric step", [](Scene& s) { s.springs.stiffness = 1e8, s.time.dt = 1e-3; }},
         {"a step a million times too large", [](Scene& s) { s.time.dt = 1e3; }},
         {"a mass of 1e-9 kg", [](Scene& s) { s.springs.mass = 1e-9, s.time.dt = 1e-3; }},
-        {"gravity of 1e6 m/s2", [](Scene& s) { s.gravity()->acceleration = {0.0, -1e6, 0.0}; }},
+        {"gravity of 1e6 m/s2",
+         [](Scene& s) {
+             s.gravity()->acceleration = {0.0, -1e6, 0.0};
+         }},
         {"drag beyond its own limit", [](Scene& s) { s.springs.drag = 10.0, s.time.dt = 1.0 / 60.0; }},
         {"damping beyond its own limit", [](Scene& s) { s.springs.damping = 10.0, s.time.dt = 1.0 / 60.0; }},
         {"everything held", [](Scene& s) { s.flag.attach = Attach::all; }},

@@ -1,8 +1,8 @@
 // The energy ledger tells good runs from garbage, over scenes made by seed.
 //
-// Good: over the run, mean energy and mean 99th percentile of stretch stay within 20 % of a run at an eighth of the step
-// in double. Garbage: they are off by more than a factor of two, or not finite. In between is neither. Motion is chaotic,
-// so means over the run are compared, and energies only above a millionth of what there was to begin with.
+// Good: over the run, mean energy and mean 99th percentile of stretch stay within 20 % of a run at an eighth of the
+// step in double. Garbage: they are off by more than a factor of two, or not finite. In between is neither. Motion is
+// chaotic, so means over the run are compared, and energies only above a millionth of what there was to begin with.
 #include "all_methods.hpp"
 #include "catch.hpp"
 #include "run/engine.hpp"

@@ -270,7 +270,8 @@ TEST_CASE("Another grid sees the flag as it was: a linear field is carried over 
     simulation.change(scene);
     const auto after = masses(simulation);
     double worst = 0.0;
-    for (std::size_t n = 0; n < before.size(); ++n) worst = std::max({worst, length(after[n].x - before[n].x), length(after[n].v - before[n].v)});
+    for (std::size_t n = 0; n < before.size(); ++n)
+        worst = std::max({worst, length(after[n].x - before[n].x), length(after[n].v - before[n].v)});
     CHECK(worst < 100 * epsilon<double>);  // two interpolations of numbers below 10
 }
 

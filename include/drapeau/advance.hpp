@@ -46,9 +46,8 @@ DRAPEAU_INLINE void for_rows(const Pass<typename Lanes<V>::Real>& pass, Finish&&
         const PassRow<Real, fields> here(pass, j);
         const RowConstants<Real> constants = pass.constants[j];
         const SeenRow<Real> seen{here.field[seen_position], here.field[seen_velocity]};
-        const auto at_register = [&](int i, const typename Operation::Value& value) DRAPEAU_INLINE_LAMBDA {
-            finish(here.field, constants, i, value);
-        };
+        const auto at_register = [&](int i, const typename Operation::Value& value)
+                                     DRAPEAU_INLINE_LAMBDA { finish(here.field, constants, i, value); };
         if (j + 1 < pass.last || !at_bottom) {
             const PassRow<Real, fields> next(pass, j + 1);
             const SeenRow<Real> seen_next{next.field[seen_position], next.field[seen_velocity]};
@@ -128,20 +127,19 @@ void measure_rows(const Pass<typename Lanes<V>::Real>& pass) {
     Triple<V> moment{};
     for_rows<V, SpringGauge<V, damped>, diagonals, fields, 0, Method::template seen_velocity<damped>>(
         pass,
-        [&](const Field<Real>* row, const RowConstants<Real>& constants, int i, const Parts<V>& force)
-            DRAPEAU_INLINE_LAMBDA {
-                const V w = L::load(constants.inverse_mass + i), m = L::load(constants.mass + i);
-                const auto v = row[1].template at<V>(i);
-                const auto a = Method::total(
-                    acceleration_of(force.elastic + force.damping, w, pushed.template at<V>(i)),
-                    L::load(constants.rate + i), v, dt);
-                if constexpr (Method::staggered)
-                    kinetic = kinetic + m * dot(v, v + dt * a);
-                else
-                    kinetic = kinetic + m * dot(v, v);
-                power = power + m * dot(a - w * force.elastic, v);
-                moment = moment + m * row[0].template at<V>(i);
-            },
+        [&](const Field<Real>* row, const RowConstants<Real>& constants, int i,
+            const Parts<V>& force) DRAPEAU_INLINE_LAMBDA {
+            const V w = L::load(constants.inverse_mass + i), m = L::load(constants.mass + i);
+            const auto v = row[1].template at<V>(i);
+            const auto a = Method::total(acceleration_of(force.elastic + force.damping, w, pushed.template at<V>(i)),
+                                         L::load(constants.rate + i), v, dt);
+            if constexpr (Method::staggered)
+                kinetic = kinetic + m * dot(v, v + dt * a);
+            else
+                kinetic = kinetic + m * dot(v, v);
+            power = power + m * dot(a - w * force.elastic, v);
+            moment = moment + m * row[0].template at<V>(i);
+        },
         [&](int j, const auto& gauge) DRAPEAU_INLINE_LAMBDA {
             if (j >= pass.first) {
                 RowSums& sums = pass.sums[j];
@@ -193,7 +191,8 @@ constexpr Kernels<typename Lanes<V>::Real> kernels_of() {
         ((k.stage_time[n] = Method::stage_time[n]), ...);
         ((k.advance[n] = &advance_rows<V, Method, n, damped, diagonals, rated>), ...);
         ((k.advance_accounted[n] = &advance_rows_accounted<V, Method, n, damped, diagonals>), ...);
-    }(std::make_integer_sequence<int, Method::passes>());
+    }
+    (std::make_integer_sequence<int, Method::passes>());
     k.measure = &measure_rows<V, Method, damped, diagonals>;
     k.evaluate = &evaluate_rows<V, Method, damped, diagonals>;
     k.start = &Method::template start<damped, Real>;

@@ -1,9 +1,9 @@
 // Energy: what a flag holds, the work done on it, and the ledger that tells energy a method creates.
 //
-// E = elastic + kinetic. Every force but the springs' elasticity counts its work W by the method's own quadrature, passes
-// after the move the energy they change. What is left over, C = E - E_0 - W, was created (or lost) by the method: on
-// smooth motion a share of a per cent, in a run that is garbage a good part of all there is. Height is not in E: gravity
-// works.
+// E = elastic + kinetic. Every force but the springs' elasticity counts its work W by the method's own quadrature,
+// passes after the move the energy they change. What is left over, C = E - E_0 - W, was created (or lost) by the
+// method: on smooth motion a share of a per cent, in a run that is garbage a good part of all there is. Height is not
+// in E: gravity works.
 #pragma once
 
 #include "drapeau/isa.hpp"
@@ -41,9 +41,7 @@ struct Work {
     double passes = 0.0;    // energy that passes after the move added
 
     double all() const { return external + damping + passes; }
-    void add(const Work& other) {
-        external += other.external, damping += other.damping, passes += other.passes;
-    }
+    void add(const Work& other) { external += other.external, damping += other.damping, passes += other.passes; }
 };
 
 /// A sum of which only samples are known: its value and the variance of that value.
@@ -97,13 +95,11 @@ struct Ledger {
         return std::abs(last) > std::abs(all) ? last : all;
     }
     /// Energy over all that was there or came in.
-    double energy_share() const {
-        return share(energy, initial + external.value + external.doubt() + rounding);
-    }
+    double energy_share() const { return share(energy, initial + external.value + external.doubt() + rounding); }
 
     bool is_finite() const { return std::isfinite(energy) && std::isfinite(created.value); }
-    /// `creates`: the method creates energy by nature or the step is past its limit, so that what it created is judged by
-    /// the energy there is.
+    /// `creates`: the method creates energy by nature or the step is past its limit, so that what it created is judged
+    /// by the energy there is.
     bool is_broken(bool creates) const {
         return !is_finite() || energy_share() > 1.0 + broken_share || created_share() < -broken_share ||
                (!creates && created_share() > broken_share);

@@ -27,10 +27,7 @@ struct Field {
     DRAPEAU_INLINE void set(std::ptrdiff_t i, const Triple<V>& value) const {
         Lanes<V>::store(x + i, value.x), Lanes<V>::store(y + i, value.y), Lanes<V>::store(z + i, value.z);
     }
-    DRAPEAU_INLINE operator Field<const Real>() const
-    requires(!std::is_const_v<Real>) {
-        return {x, y, z, stride};
-    }
+    DRAPEAU_INLINE operator Field<const Real>() const requires(!std::is_const_v<Real>) { return {x, y, z, stride}; }
 };
 
 /// Springs that run alike from every mass of a row, as row-long arrays: element i is the spring that starts at column
@@ -66,16 +63,16 @@ struct WaitingRow {
 
 /// Numbers a pass sums for each row, in double (see Report).
 struct RowSums {
-    double external_work;   // J, by drag, friction and every term that pushes masses
-    double damping_work;    // J, by the springs' dampers
-    double elastic;         // J
-    double kinetic;         // J
-    double power;           // W, of all but the springs' elasticity, with the velocity as stored
-    double stretch;         // sum of |l - L| / L
-    double max_stretch;     // greatest (l - L) / L
-    double max_force;       // N, greatest |k (l - L)|
-    double force_squares;   // N2, sum of squares
-    double moment[3];       // kg m, sum of m x
+    double external_work;  // J, by drag, friction and every term that pushes masses
+    double damping_work;   // J, by the springs' dampers
+    double elastic;        // J
+    double kinetic;        // J
+    double power;          // W, of all but the springs' elasticity, with the velocity as stored
+    double stretch;        // sum of |l - L| / L
+    double max_stretch;    // greatest (l - L) / L
+    double max_force;      // N, greatest |k (l - L)|
+    double force_squares;  // N2, sum of squares
+    double moment[3];      // kg m, sum of m x
 };
 
 /// One pass over the rows first <= j < last: what a kernel is given.
@@ -87,34 +84,35 @@ struct Pass {
     Field<Real> above[max_fields], below[max_fields];
     int halo;
     int first, last, rows;
-    int width;                             // elements a loop over a row covers
-    const RowConstants<Real>* constants;   // of each row
-    Field<const Real> acceleration;        // m/s2, of terms that push masses; one row for all, unless:
+    int width;                                              // elements a loop over a row covers
+    const RowConstants<Real>* constants;                    // of each row
+    Field<const Real> acceleration;                         // m/s2, of terms that push masses; one row for all, unless:
     void (*accelerate)(void* terms, int row, double time);  // null, or fills `acceleration` for a row
     void* terms;
-    double time;                           // s, of this pass
-    Real dt;                               // s
+    double time;  // s, of this pass
+    Real dt;      // s
     WaitingRow<Real> waiting;
-    RowSums* sums;                         // of each row; written only by passes that account
-    Field<Real> out;                       // of passes that store
+    RowSums* sums;    // of each row; written only by passes that account
+    Field<Real> out;  // of passes that store
 };
 
 /// A composition compiled ahead: a method, whether springs are damped, whether there are diagonals.
 template <class Real>
 struct Kernels {
-    int passes;            // force evaluations a step
-    int fields;            // position, velocity and what the method keeps
+    int passes;                        // force evaluations a step
+    int fields;                        // position, velocity and what the method keeps
     int seen_position, seen_velocity;  // the fields that forces are evaluated at
-    bool staggered;        // the velocity stored is half a step behind the position
-    bool starts_with_forces;  // start and synchronised need the acceleration
-    double stage_time[4];  // of each pass, in steps from the step's beginning
+    bool staggered;                    // the velocity stored is half a step behind the position
+    bool starts_with_forces;           // start and synchronised need the acceleration
+    double stage_time[4];              // of each pass, in steps from the step's beginning
     void (*advance[4])(const Pass<Real>&);
     void (*advance_accounted[4])(const Pass<Real>&);  // the same bits, and the work done
     void (*measure)(const Pass<Real>&);               // energy and stretch; moves nothing
     void (*evaluate)(const Pass<Real>&);              // accelerations but for drag and friction, into `out`
     // One mass: n is its element, a its acceleration but for drag and friction.
     void (*start)(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& a, Real rate, Real dt);
-    Triple<Real> (*synchronised)(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& a, Real rate, Real dt);
+    Triple<Real> (*synchronised)(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& a, Real rate,
+                                 Real dt);
     // Moves a mass by dx and lets its velocity follow: what a pass after the move does.
     void (*follow)(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& dx, Real dt);
 };

@@ -1,8 +1,7 @@
 // Flag: a model, a method and the terms that act on it, for who embeds the core.
 //
-//   Flag<float, Leapfrog, Gravity> chain(spread(1, 10, 0, 1), Attach::top, {.mass = 0.01, .stiffness = 200}, Gravity{});
-//   chain.set_step(1e-4);
-//   chain.advance(1000);
+//   Flag<float, Leapfrog, Gravity> chain(spread(1, 10, 0, 1), Attach::top, {.mass = 0.01, .stiffness = 200},
+//   Gravity{}); chain.set_step(1e-4); chain.advance(1000);
 //
 // Diagonal springs, spring damping and terms are listed as types: what is not listed is not compiled, and zero strength
 // is not absence.
@@ -36,7 +35,9 @@ class Flag {
     template <class T>
     static constexpr bool has = (std::same_as<T, Listed> || ...);
     template <class T>
-    static constexpr bool brakes = requires(T term) { term.damping(1.0); };
+    static constexpr bool brakes = requires(T term) {
+        term.damping(1.0);
+    };
 
 public:
     static constexpr bool damped = has<SpringDamping>, diagonals = has<DiagonalSprings>;

@@ -97,7 +97,9 @@ public:
         double sum = 0.0;
         terms.for_each([&]<class Term>(const Term& term) {
             if constexpr (requires { term.damping(share); }) {
-                constexpr bool air = requires { Term::is_air; };
+                constexpr bool air = requires {
+                    Term::is_air;
+                };
                 if (air || !air_alone) sum += term.damping(share);
             }
         });
@@ -213,8 +215,12 @@ private:
                                    static_cast<Real>(length)};
         };
         const Grid& grid = model.grid;
-        return {springs(fly_, grid.pitch_x),  springs(hoist_, grid.pitch_y), springs(diagonal_, grid.pitch_diagonal()),
-                array(kind, inverse_mass_), array(kind, mass_),            array(kind, rate_)};
+        return {springs(fly_, grid.pitch_x),
+                springs(hoist_, grid.pitch_y),
+                springs(diagonal_, grid.pitch_diagonal()),
+                array(kind, inverse_mass_),
+                array(kind, mass_),
+                array(kind, rate_)};
     }
 
     int width_;

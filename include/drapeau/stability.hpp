@@ -27,7 +27,8 @@ inline StableStep stable_step(Method method, const Model& model) {
 /// The drag + friction (N s/m) that gives forward Euler the step dt (s).
 inline double damping_needed(const Model& model, double dt) {
     double needed = 0.0;
-    for (const auto& oscillator : model.bounds()) needed = std::max(needed, ForwardEuler::damping_needed(oscillator, dt));
+    for (const auto& oscillator : model.bounds())
+        needed = std::max(needed, ForwardEuler::damping_needed(oscillator, dt));
     return needed;
 }
 

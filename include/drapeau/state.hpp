@@ -1,5 +1,5 @@
-// State: position and velocity of every mass of a grid, owned. The same type serves runs, checkpoints, files, starts and
-// what one method or grid hands to the next.
+// State: position and velocity of every mass of a grid, owned. The same type serves runs, checkpoints, files, starts
+// and what one method or grid hands to the next.
 //
 // Rows are padded to whole registers, with one more register of zeros behind. Padding stays at zero: it has no mass and
 // no spring.
@@ -44,8 +44,8 @@ class Array {
 public:
     Array() = default;
     explicit Array(std::size_t count, std::size_t shift_bytes = 0)
-        : bytes_(static_cast<std::byte*>(
-              ::operator new(bytes_for(count, shift_bytes), std::align_val_t(row_alignment)))),
+        : bytes_(
+              static_cast<std::byte*>(::operator new(bytes_for(count, shift_bytes), std::align_val_t(row_alignment)))),
           first_(reinterpret_cast<Real*>(bytes_.get() + row_alignment + shift_bytes)),
           count_(count),
           shift_(shift_bytes) {
@@ -114,8 +114,8 @@ public:
     /// `number` sets fields of one cloth apart (see component_shift_bytes).
     FieldBuffer(int columns, int rows, int number = 0) : columns_(columns), rows_(rows) {
         for (int c = 0; c < 3; ++c)
-            component_[c] = Array<Real>(static_cast<std::size_t>(stride()) * rows,
-                                        (3 * number + c) % 16 * component_shift_bytes);
+            component_[c] =
+                Array<Real>(static_cast<std::size_t>(stride()) * rows, (3 * number + c) % 16 * component_shift_bytes);
     }
 
     int columns() const { return columns_; }
@@ -124,9 +124,7 @@ public:
     Array<Real>& component(int c) { return component_[c]; }
     const Array<Real>& component(int c) const { return component_[c]; }
 
-    Field<Real> view() {
-        return {component_[0].data(), component_[1].data(), component_[2].data(), stride()};
-    }
+    Field<Real> view() { return {component_[0].data(), component_[1].data(), component_[2].data(), stride()}; }
     Field<const Real> view() const {
         return {component_[0].data(), component_[1].data(), component_[2].data(), stride()};
     }

@@ -2,8 +2,8 @@
 //
 // A batch of steps runs as one region of a team. Each member owns a block of rows. Between two blocks each side keeps a
 // halo: copies of the other's rows as they were before the pass, as many as the operation reaches. Springs across are
-// evaluated by both sides, from the same numbers in the same order, so one barrier a pass is enough (copies for the next
-// pass are written while those of this one are read), and the bits are the same for any number of members.
+// evaluated by both sides, from the same numbers in the same order, so one barrier a pass is enough (copies for the
+// next pass are written while those of this one are read), and the bits are the same for any number of members.
 #pragma once
 
 #include "drapeau/advance.hpp"
@@ -41,10 +41,7 @@ class Stepper {
 public:
     /// All masses at rest at their places in the grid.
     Stepper(const Model& model, const Kernels<Real>& kernels)
-        : model_(model),
-          kernels_(kernels),
-          rows_(model),
-          sums_(static_cast<std::size_t>(model.grid.rows)) {
+        : model_(model), kernels_(kernels), rows_(model), sums_(static_cast<std::size_t>(model.grid.rows)) {
         for (int f = 0; f < kernels.fields; ++f) fields_.emplace_back(model.grid.columns, model.grid.rows, f);
         whole_ = std::make_unique<Member>(*this, 0, 1);
         use_threads(1);
@@ -240,8 +237,7 @@ private:
         void accelerate(int row, double time) {
             auto a = acceleration.view();
             for (Real* component : {a.x, a.y, a.z}) std::fill_n(component, all.rows_.width(), Real(0));
-            const PushedRow<Real> pushed{all.model_.grid, row, all.rows_.width(),
-                                         all.rows_.drag_rate(all.model_, row)};
+            const PushedRow<Real> pushed{all.model_.grid, row, all.rows_.width(), all.rows_.drag_rate(all.model_, row)};
             all.model_.terms.for_each([&](const auto& term) {
                 if constexpr (requires { term.accelerate(pushed, time, a); }) term.accelerate(pushed, time, a);
             });
@@ -287,8 +283,7 @@ private:
         moved_ = fields_[0];
         bool changed = false;
         model_.limits.for_each([&](const auto& limit) {
-            const PassReport done =
-                limit.apply(model_.grid, model_.has_diagonals(), rows_.constants(), moved_.view());
+            const PassReport done = limit.apply(model_.grid, model_.has_diagonals(), rows_.constants(), moved_.view());
             report.limit.add(done);
             changed = changed || done.sweeps > 0;
         });

@@ -4,11 +4,13 @@
 //   name                        for messages, tables and the benchmark
 //   table (if it has one)       its table in a scene file; its keys are rows of src/scene_fields.hpp
 //
-// and of these what it needs; what a term does not have is not asked for, and a term that is not listed is not executed:
+// and of these what it needs; what a term does not have is not asked for, and a term that is not listed is not
+// executed:
 //
 //   accelerate(row, t, a)       adds the acceleration (m/s2) that it gives the masses of a row at time t (s)
 //   varies_by_row(grid)         whether that differs from row to row; without it, it does not
-//   damping(share)              N s/m that brake a mass's own velocity; share: of a mass inside (1), on a border (1/2 or
+//   damping(share)              N s/m that brake a mass's own velocity; share: of a mass inside (1), on a border (1/2
+//   or
 //                               1 by the model). It lowers the largest stable step and its work is counted.
 //   is_air                      the damping is against the air, so wind is felt through it
 #pragma once

@@ -21,7 +21,8 @@ constexpr KernelTable<Real> compile_all() {
     KernelTable<Real> table{};
     [&]<std::size_t... n>(std::index_sequence<n...>) {
         (fill<std::tuple_element_t<n, Methods>>(table.of[n]), ...);
-    }(std::make_index_sequence<method_count>());
+    }
+    (std::make_index_sequence<method_count>());
     return table;
 }
 

@@ -13,7 +13,7 @@
 
 namespace drapeau {
 
-#define DRAPEAU_DECLARE(symbol, name)           \
+#define DRAPEAU_DECLARE(symbol, name)               \
     extern const KernelTable<float> float_##symbol; \
     extern const KernelTable<double> double_##symbol;
 DRAPEAU_FOR_EACH_TARGET(DRAPEAU_DECLARE)

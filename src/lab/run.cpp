@@ -94,8 +94,8 @@ Plan plan_for(const Scene& scene, double seconds, const std::string& given_secon
 
 /// Refuses what would take longer than anybody waits, before it begins.
 void check_duration(const Scene& scene, const Simulation& simulation, double seconds) {
-    constexpr double longest = 24.0 * 3600.0;       // s
-    constexpr double mass_steps_a_second = 1.5e8;   // of one core; small flags are slower by the mass
+    constexpr double longest = 24.0 * 3600.0;      // s
+    constexpr double mass_steps_a_second = 1.5e8;  // of one core; small flags are slower by the mass
     constexpr double steps_a_second = 2e6;
     const double steps = seconds / simulation.dt();
     const int passes = with_method(scene.time.method, [](const auto& m) { return std::decay_t<decltype(m)>::passes; });
@@ -179,11 +179,11 @@ std::vector<Result> results_of(const Simulation& simulation, int threads, const 
     const StableStep limit = simulation.stability_limit();
     const double milliseconds = 1e3 * cost.processor / time;
     const double real_time = time / cost.wall;
-    const std::string of_limit =
-        limit.is_none()        ? "no step is known to be stable"
-        : limit.is_unlimited() ? "every step is stable"
-                               : rounded(100.0 * simulation.dt() / limit.seconds(), 3) +
-                                     " % of the stability limit, " + with_unit(limit.seconds(), "s");
+    const std::string of_limit = limit.is_none() ? "no step is known to be stable"
+                                 : limit.is_unlimited()
+                                     ? "every step is stable"
+                                     : rounded(100.0 * simulation.dt() / limit.seconds(), 3) +
+                                           " % of the stability limit, " + with_unit(limit.seconds(), "s");
     const std::string hash = in_hex(simulation.state_hash());
 
     std::vector<Result> results;
@@ -211,8 +211,7 @@ std::vector<Result> results_of(const Simulation& simulation, int threads, const 
     measure("kinetic_energy_J", readings.kinetic_energy, "kinetic energy", "J");
     measure("spring_energy_J", readings.spring_energy, "spring energy", "J");
     measure("gravity_energy_J", readings.gravity_energy, "gravity energy", "J");
-    number("greatest_stretch", readings.max_stretch, "greatest stretch",
-           with_unit(100.0 * readings.max_stretch, "%"));
+    number("greatest_stretch", readings.max_stretch, "greatest stretch", with_unit(100.0 * readings.max_stretch, "%"));
     number("mean_stretch", readings.mean_stretch, "mean stretch", with_unit(100.0 * readings.mean_stretch, "%"));
     measure("greatest_spring_force_N", readings.max_spring_force, "greatest spring force", "N");
     number("created_energy_share", readings.created_share, "energy created by the method",

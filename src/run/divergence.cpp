@@ -53,10 +53,10 @@ std::pair<int, int> worst(const State<double>& state) {
 
 std::string cause_and_remedy(Method method, const Divergence& d) {
     const std::string name(name_of(method));
-    const std::string remedy =
-        d.safe_dt > 0.0                       ? "a step of " + in_words(d.safe_dt) + " holds"
-        : method == method_id<ForwardEuler>   ? "semi-implicit-euler takes far larger ones"
-                                              : "choose dt \"auto\", more drag or damping, or weaker wind or springs";
+    const std::string remedy = d.safe_dt > 0.0 ? "a step of " + in_words(d.safe_dt) + " holds"
+                               : method == method_id<ForwardEuler>
+                                   ? "semi-implicit-euler takes far larger ones"
+                                   : "choose dt \"auto\", more drag or damping, or weaker wind or springs";
     switch (d.cause) {
         case Divergence::Cause::past_the_limit:
             if (d.limit.is_none())
@@ -126,8 +126,8 @@ Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const
 
     // A remedy is a step that holds from the same state for as long.
     if (d.cause != Divergence::Cause::beyond_precision && !d.limit.is_none()) {
-        const double usual = with_method(
-            method, [&](const auto& chosen) { return automatic_step(chosen, engine.model()); });
+        const double usual =
+            with_method(method, [&](const auto& chosen) { return automatic_step(chosen, engine.model()); });
         double mass_steps_left = 3e7;  // some tenths of a second
         const double span = broken_at + 2.0 * batch_seconds - good.time();
         double dt = whole_steps_per_batch(std::min(usual, 0.7 * d.dt));

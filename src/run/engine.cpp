@@ -19,7 +19,7 @@ public:
     long long advance(const Clock& clock, long long first, long long last, long long accounted, Report& report,
                       const std::atomic<bool>* abandon) override {
         constexpr long long mass_steps_a_turn = 10'000'000;  // some hundredths of a second
-        const auto steps_a_turn =  // a limit may take as long for one step
+        const auto steps_a_turn =                            // a limit may take as long for one step
             model().limits == Limits{} ? std::max(1LL, mass_steps_a_turn / model().grid.masses()) : 1;
         for (long long step = first; step < last; step += steps_a_turn) {
             if (abandon && abandon->load(std::memory_order_relaxed)) return step;
@@ -51,8 +51,7 @@ public:
     void set(const State<double>& state) override { stepper_.set(state); }
     void snapshot(FieldBuffer<float>& into) const override {
         const auto& x = stepper_.position();
-        if (into.columns() != x.columns() || into.rows() != x.rows())
-            into = FieldBuffer<float>(x.columns(), x.rows());
+        if (into.columns() != x.columns() || into.rows() != x.rows()) into = FieldBuffer<float>(x.columns(), x.rows());
         into.take(x);
     }
 

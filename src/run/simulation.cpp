@@ -30,8 +30,8 @@ bool same_structure(const Scene& a, const Scene& b) {
 double chosen_step(const Scene& scene, const Model& model, bool exact, double lowered) {
     if (scene.time.dt) return exact ? *scene.time.dt : whole_steps_per_batch(*scene.time.dt);
     if (!stable_step(scene.time.method, model).is_none())
-        return whole_steps_per_batch(with_method(
-            scene.time.method, [&](const auto& method) { return automatic_step(method, model, lowered); }));
+        return whole_steps_per_batch(
+            with_method(scene.time.method, [&](const auto& method) { return automatic_step(method, model, lowered); }));
     const double wanted = whole_steps_per_batch(automatic_step(SemiImplicitEuler{}, model));
     char line[240];
     std::snprintf(line, sizeof line,
@@ -50,11 +50,11 @@ struct Simulation::Run {
     Progress now;
     Watch watch;
     int threads = 1;
-    bool exact = false;       // a numeric dt is used as given
-    double lowered = 1.0;     // of the usual automatic step, after energy was created
-    double lowered_at = 0.0;  // s, when that last changed
-    PassReport limit;         // of the steps last asked for
-    Readings readings;        // the newest
+    bool exact = false;              // a numeric dt is used as given
+    double lowered = 1.0;            // of the usual automatic step, after energy was created
+    double lowered_at = 0.0;         // s, when that last changed
+    PassReport limit;                // of the steps last asked for
+    Readings readings;               // the newest
     long long readings_batches = 0;  // batches since then
 
     Run(const Scene& wanted, const State<double>& state, double time, long long steps, bool exact_dt)
@@ -100,7 +100,8 @@ struct Simulation::Run {
             }
             const long long to = std::min(now.steps + left, batch_end_);
             Report report;
-            const long long reached = engine->advance(now.clock, now.steps, to, watch.accounted_step(), report, abandon);
+            const long long reached =
+                engine->advance(now.clock, now.steps, to, watch.accounted_step(), report, abandon);
             left -= reached - now.steps;
             in_batch_ += reached - now.steps;
             now.steps = reached;
@@ -187,7 +188,6 @@ const Scene& Simulation::scene() const {
 const Model& Simulation::model() const {
     return run_->engine->model();
 }
-
 
 void Simulation::change(const Scene& scene) {
     check_scene(scene);

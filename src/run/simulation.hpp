@@ -24,16 +24,16 @@ struct Snapshot {
 
 /// Sizes of a moment, for panels and files. All of the same instant.
 struct Readings {
-    double kinetic_energy = 0.0;     // J
-    double spring_energy = 0.0;      // J
-    double gravity_energy = 0.0;     // J, zero at y = 0
-    double max_stretch = 0.0;        // share: 0.05 is 5 % longer than rest; over all springs
-    double mean_stretch = 0.0;       // share, mean of |l - L| / L
-    double max_spring_force = 0.0;   // N, max |k (l - L)|
-    double rms_spring_force = 0.0;   // N
-    double created_share = 0.0;      // of the energy there could be, what the method created (see energy.hpp)
-    PassReport limit;                // of the passes after the move, in the last batch
-    double time = 0.0;               // s, when it was measured
+    double kinetic_energy = 0.0;    // J
+    double spring_energy = 0.0;     // J
+    double gravity_energy = 0.0;    // J, zero at y = 0
+    double max_stretch = 0.0;       // share: 0.05 is 5 % longer than rest; over all springs
+    double mean_stretch = 0.0;      // share, mean of |l - L| / L
+    double max_spring_force = 0.0;  // N, max |k (l - L)|
+    double rms_spring_force = 0.0;  // N
+    double created_share = 0.0;     // of the energy there could be, what the method created (see energy.hpp)
+    PassReport limit;               // of the passes after the move, in the last batch
+    double time = 0.0;              // s, when it was measured
 };
 
 /// A run that diverged. The run then stands on the last state that was good.
@@ -47,7 +47,7 @@ struct Divergence {
     StableStep limit;         // the largest step the closed stability bound guarantees
     double safe_dt = 0.0;     // s, a step that was tried from the same state and held; 0 if none was found
     Cause cause = Cause::past_the_limit;
-    std::string message;      // one line for a person
+    std::string message;  // one line for a person
 };
 
 class Simulation {
@@ -66,9 +66,9 @@ public:
     /// scene is impossible.
     void change(const Scene& scene);
 
-    /// Advances 1/60 s in steps_per_batch() equal steps. If the run diverges it is put back to the last good state. With
-    /// an automatic step, energy created by the method takes the run back and repeats it with a smaller step instead.
-    /// If `abandon` is set meanwhile it gives up within a few hundredths of a second, between two steps.
+    /// Advances 1/60 s in steps_per_batch() equal steps. If the run diverges it is put back to the last good state.
+    /// With an automatic step, energy created by the method takes the run back and repeats it with a smaller step
+    /// instead. If `abandon` is set meanwhile it gives up within a few hundredths of a second, between two steps.
     std::optional<Divergence> advance_batch(const std::atomic<bool>* abandon = nullptr);
 
     /// Advances `count` steps of exactly dt() (the laboratory's way, and the window's single step).
@@ -80,8 +80,8 @@ public:
     /// The laboratory uses a numeric dt as given instead of rounding it to a whole number of steps a batch.
     void use_exact_dt();
 
-    /// How many threads may share a step (1 at first); the bits are the same for any number. Throws InputError where the
-    /// system gives no more.
+    /// How many threads may share a step (1 at first); the bits are the same for any number. Throws InputError where
+    /// the system gives no more.
     void use_threads(int threads);
 
     double time() const;  // s

@@ -114,8 +114,8 @@ State<double> carried_over(const State<double>& old, const Scene& scene) {
         for (int i = 0; i < grid.columns; ++i) {
             const bool held = model.held(i, j);
             const double along = share(i, grid.columns), down = share(j, grid.rows);
-            state.position.set(i, j, held ? (1.0 + scene.flag.prestretch) * grid.rest(i, j)
-                                          : sample(old.position, along, down));
+            state.position.set(
+                i, j, held ? (1.0 + scene.flag.prestretch) * grid.rest(i, j) : sample(old.position, along, down));
             if (!held) state.velocity.set(i, j, sample(old.velocity, along, down));
         }
     return state;

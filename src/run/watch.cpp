@@ -38,7 +38,8 @@ void Watch::open(Engine& engine, const Progress& now, double steps_a_batch, Natu
 }
 
 bool Watch::warns() const {
-    return is_broken() || ledger_.energy_share() > energy_to_warn || std::abs(ledger_.created_share()) > created_to_warn;
+    return is_broken() || ledger_.energy_share() > energy_to_warn ||
+           std::abs(ledger_.created_share()) > created_to_warn;
 }
 
 double Watch::rounding_energy(const Engine& engine, long long steps) const {
@@ -68,8 +69,7 @@ void Watch::write(Engine& engine, const Progress& now) {
     for (const double in : external_) came_in.value += std::max(0.0, in);
     Estimate made{joules - energy_ - work.value, work.variance};
     if (made.value < 0.0 && !dissipates_) made = {};  // dampers that were missed
-    ledger_.add(now.time(), joules, came_in, made,
-                rounding_energy(engine, now.steps - written_step_));
+    ledger_.add(now.time(), joules, came_in, made, rounding_energy(engine, now.steps - written_step_));
     if (std::abs(ledger_.created_share()) > created_when_calm) last_unrest_ = now.time();
     energy_ = joules;
     work_.clear(), external_.clear();

@@ -20,7 +20,7 @@ namespace drapeau {
 /// How a run stands: what a checkpoint of the programs holds besides the masses.
 struct Progress {
     Clock clock;
-    long long steps = 0;    // since the run began
+    long long steps = 0;  // since the run began
 
     double time() const { return clock.at(steps); }
     /// The first step of the next batch: step n belongs to batch floor(60 (n - first) dt).
@@ -89,15 +89,15 @@ private:
 
     Ledger ledger_;
     bool creates_ = false, dissipates_ = false, broken_ = false;
-    long long number_ = 0;             // batches since the ledger was opened
-    long long group_ = 1;              // batches taken for one
-    long long accounted_ = no_step;    // the step of the group under way that is accounted
-    Work counted_;                     // in that step
-    double taken_in_ = 0.0;            // s, up to when its work was taken in
+    long long number_ = 0;                 // batches since the ledger was opened
+    long long group_ = 1;                  // batches taken for one
+    long long accounted_ = no_step;        // the step of the group under way that is accounted
+    Work counted_;                         // in that step
+    double taken_in_ = 0.0;                // s, up to when its work was taken in
     std::vector<double> external_, work_;  // J, estimates for each group since the ledger was last written
-    long long written_step_ = 0;       // when that was
-    double energy_ = 0.0;              // J, then
-    double last_unrest_ = 0.0;         // s
+    long long written_step_ = 0;           // when that was
+    double energy_ = 0.0;                  // J, then
+    double last_unrest_ = 0.0;             // s
     std::array<Saved, places> saved_;
     int next_ = 0;
 };

@@ -1,11 +1,12 @@
 // Stretch limit: no spring longer than (1 + stretch) times its rest length, as far as the attachments permit: the
 // report's own future work (section 5), as a pass after the move.
 //
-// A spring that is too long is shortened by moving its two ends along it, in proportion to their inverse masses, so that
-// linear momentum is kept (Provot 1995). One sweep over the springs shortens each in turn; sweeps go on, to and fro,
-// until none is too long. Velocities follow what was moved (v += dx/dt): clamped positions alone would leave a hidden
-// velocity that grows for ever. For the same reason the sweeps begin as soon as a spring is too long at all, not when it
-// is by more than what may be left: an excess gathered over many steps and taken back in one would be thrown back.
+// A spring that is too long is shortened by moving its two ends along it, in proportion to their inverse masses, so
+// that linear momentum is kept (Provot 1995). One sweep over the springs shortens each in turn; sweeps go on, to and
+// fro, until none is too long. Velocities follow what was moved (v += dx/dt): clamped positions alone would leave a
+// hidden velocity that grows for ever. For the same reason the sweeps begin as soon as a spring is too long at all, not
+// when it is by more than what may be left: an excess gathered over many steps and taken back in one would be thrown
+// back.
 #pragma once
 
 #include "drapeau/state.hpp"
@@ -95,8 +96,8 @@ private:
 
     /// Greatest square of l/L over `count` springs that start side by side.
     template <class Real>
-    static double max_square(const Field<Real>& from, std::ptrdiff_t first, const Field<Real>& to,
-                             std::ptrdiff_t end, int count, double rest) {
+    static double max_square(const Field<Real>& from, std::ptrdiff_t first, const Field<Real>& to, std::ptrdiff_t end,
+                             int count, double rest) {
         using V = Vector<Real, 16>;
         const auto scale = static_cast<Real>(1.0 / (rest * rest));
         V most{};

@@ -23,9 +23,9 @@ struct ForwardEuler : OneKick {
         return {all, Real(0.5) * (v + v_next)};
     }
 
-    /// Wherever no spring is compressed (a compressed one lets the cloth buckle at any step). A spring that is stretched
-    /// also resists sideways, where its damper does nothing: only drag and friction hold that, so dt k < on_mass; and
-    /// dt (c + on_mass) < 2m.
+    /// Wherever no spring is compressed (a compressed one lets the cloth buckle at any step). A spring that is
+    /// stretched also resists sideways, where its damper does nothing: only drag and friction hold that, so dt k <
+    /// on_mass; and dt (c + on_mass) < 2m.
     static StableStep stable_step(const Oscillator& o) {
         if (o.stiffness == 0.0 && o.damping + o.on_mass == 0.0) return StableStep::unlimited();
         const double against_growth = o.stiffness > 0.0 ? o.on_mass / o.stiffness : INFINITY;

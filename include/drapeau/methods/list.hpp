@@ -28,7 +28,7 @@ inline constexpr std::size_t method_count = std::tuple_size_v<Methods>;
 /// Calls visit(method) with an object of the type that `id` stands for.
 template <class Visit>
 constexpr decltype(auto) with_method(Method id, Visit&& visit) {
-    return [&]<std::size_t... n>(std::index_sequence<n...>) -> decltype(auto) {
+    return [&]<std::size_t... n>(std::index_sequence<n...>)->decltype(auto) {
         using Result = decltype(visit(std::tuple_element_t<0, Methods>{}));
         if constexpr (std::is_void_v<Result>) {
             ((static_cast<std::size_t>(id) == n ? visit(std::tuple_element_t<n, Methods>{}) : void()), ...);
@@ -38,7 +38,8 @@ constexpr decltype(auto) with_method(Method id, Visit&& visit) {
              ...);
             return result;
         }
-    }(std::make_index_sequence<method_count>());
+    }
+    (std::make_index_sequence<method_count>());
 }
 
 template <class M>
@@ -46,7 +47,8 @@ constexpr Method find_method() {
     int found = -1;
     [&]<std::size_t... n>(std::index_sequence<n...>) {
         ((std::is_same_v<std::tuple_element_t<n, Methods>, M> ? void(found = static_cast<int>(n)) : void()), ...);
-    }(std::make_index_sequence<method_count>());
+    }
+    (std::make_index_sequence<method_count>());
     return static_cast<Method>(found);
 }
 

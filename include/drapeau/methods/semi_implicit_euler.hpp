@@ -2,8 +2,8 @@
 // eq. 9 is printed without the dt that is meant).
 //
 // Order 1. Its positions are those of the Stoermer-Verlet method started half a kick off; without damping it conserves
-// a shadow energy and needs dt^2 lambda_max < 4. Damping evaluated at the old velocity makes that limit smaller: for one
-// mode with a = k dt^2/m and b = c dt/m it is a + 2b < 4.
+// a shadow energy and needs dt^2 lambda_max < 4. Damping evaluated at the old velocity makes that limit smaller: for
+// one mode with a = k dt^2/m and b = c dt/m it is a + 2b < 4.
 #pragma once
 
 #include "drapeau/method.hpp"

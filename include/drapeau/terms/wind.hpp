@@ -5,8 +5,8 @@
 // derivatives vanish at the knots, so the wind is twice continuously differentiable and does not hurt any method's
 // order. Nothing is drawn per step: any two runs see the same wind whatever their step, method or precision.
 //
-// Travelling gusts are carried along by the mean wind U (frozen turbulence): a mass whose rest place lies s metres along
-// U feels gust(t - s / max(|U|, 1 m/s)).
+// Travelling gusts are carried along by the mean wind U (frozen turbulence): a mass whose rest place lies s metres
+// along U feels gust(t - s / max(|U|, 1 m/s)).
 #pragma once
 
 #include "drapeau/term.hpp"
