@@ -1,65 +1,14 @@
 #include "floor.hpp"
 
-#include "evaluation.hpp"
+#include "counting.hpp"
 
 #include "drapeau/methods/list.hpp"
-#include "drapeau/start.hpp"
-#include "drapeau/stepper.hpp"
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 namespace drapeau::bench {
 namespace {
-
-constexpr int columns = 64, rows = 64;  // whole registers; borders weigh little
-
-/// Calls job with a constant for a flag.
-template <class Job>
-void with_constant(bool flag, const Job& job) {
-    flag ? job(std::true_type{}) : job(std::false_type{});
-}
-
-/// What one case's work does on a flag whose kernels count.
-template <class Real>
-void do_counted(const Case& c, const Model& model, const Kernels<Real>& kernels) {
-    if (c.work == Work::forces) {
-        Evaluation<Real> evaluation(model, kernels, flat_start(model.grid), 1e-5);
-        Counts::now() = {};
-        return evaluation.run();
-    }
-    Stepper<Real> flag(model, kernels);
-    const Clock clock{.dt = 1e-5};
-    flag.advance(clock, 0, 0);  // the method starts
-    Counts::now() = {};
-    if (c.work == Work::measure)
-        flag.measure(0.0);
-    else
-        flag.advance(clock, 0, 1, c.work == Work::accounted ? 0 : no_step);
-}
-
-template <class Real>
-Counts count(const Case& c) {
-    using Lane = CountedLane<Real>;
-    Case same = c;
-    same.columns = columns, same.rows = rows;
-    const Model model = model_of(scene_of(same));
-    with_constant(model.has_diagonals(), [&](auto diagonals) {
-        with_constant(model.is_damped(), [&](auto damped) {
-            if (c.work == Work::terms && !c.listing.drag)
-                do_counted<Real>(c, model, kernels_of<Lane, SemiImplicitEuler, damped(), diagonals(), false>());
-            else
-                with_method(c.method, [&]<class M>(const M&) {
-                    do_counted<Real>(c, model, kernels_of<Lane, M, damped(), diagonals()>());
-                });
-        });
-    });
-    Counts counts = Counts::now();
-    for (double* n : {&counts.multiplications, &counts.additions, &counts.others, &counts.loads, &counts.stores})
-        *n /= columns * rows;
-    return counts;
-}
 
 /// ns to move `bytes` a mass when the set in use has `set_bytes`: what fits a level moves as fast as that level does.
 double ns_to_move(double bytes, std::size_t set_bytes, double Level::*bandwidth, const Peaks& peaks) {
@@ -78,7 +27,15 @@ double ns_to_move(double bytes, std::size_t set_bytes, double Level::*bandwidth,
 
 Counts count_operations(const Case& c) {
     if (c.work == Work::snapshot || c.work == Work::copy) return {};
-    return c.precision == Precision::double_precision ? count<double>(c) : count<float>(c);
+    const Counted what = c.work == Work::measure     ? Counted::measurement
+                         : c.work == Work::forces    ? Counted::evaluation
+                         : c.work == Work::accounted ? Counted::accounted_step
+                                                     : Counted::step;
+    return count(what, {.method = c.method,
+                        .in_double = c.precision == Precision::double_precision,
+                        .diagonals = c.listing.diagonal,
+                        .damped = c.listing.damping,
+                        .rated = c.listing.drag || c.work != Work::terms});
 }
 
 Floor floor_of(const Case& c, const Counts& counts, const Peaks& peaks) {
