@@ -10,12 +10,16 @@ namespace {
 // An automatic step answers long before a run is broken; good runs stay far below.
 constexpr double created_to_warn = 0.1, energy_to_warn = 1.15, created_when_calm = 0.03;
 
-/// The sum of what each stands for, and how far it may be off by their scatter.
+double gross(const std::vector<double>& samples);
+
+/// The sum of what each stands for, and how far it may be off by their scatter; of a few, by as much as they are.
 Estimate sum_of_samples(const std::vector<double>& samples) {
+    constexpr double few = 4.0;
     const auto n = static_cast<double>(samples.size());
     Estimate sum;
     for (const double s : samples) sum.value += s;
-    for (const double s : samples) sum.variance += std::pow(s - sum.value / n, 2) * n / std::max(1.0, n - 1.0);
+    if (n < few) return {sum.value, std::pow(gross(samples), 2)};
+    for (const double s : samples) sum.variance += std::pow(s - sum.value / n, 2) * n / (n - 1.0);
     return sum;
 }
 
@@ -110,7 +114,7 @@ void Watch::look_now(Engine& engine, const Progress& now) {
     if (now.steps == written_step_) return;
     Watch then = *this;
     if (then.counted_.all() != 0.0) then.take_in(now.time(), now.clock.dt);
-    if (now.time() - then.taken_in_ < 0.5 * batch_seconds) then.write(engine, now);
+    if (!then.work_.empty() && now.time() - then.taken_in_ < 0.5 * batch_seconds) then.write(engine, now);
     broken_ = broken_ || then.ledger_.is_broken(creates_) || !std::isfinite(engine.kinetic());
 }
 
