@@ -110,13 +110,13 @@ private:
         bool known = false;
         double value[3][2];  // of each axis, before and after
 
-        void fetch(std::uint64_t seed, int scale, std::int64_t wanted) {
+        void fetch(std::uint64_t of_seed, int scale, std::int64_t wanted) {
             if (known && index == wanted) return;
             index = wanted, known = true;
             for (int axis = 0; axis < 3; ++axis)
                 for (int n = 0; n < 2; ++n)
                     value[axis][n] =
-                        noise_scale * random_at(seed, static_cast<std::uint64_t>(2 * axis + scale), wanted + n);
+                        noise_scale * random_at(of_seed, static_cast<std::uint64_t>(2 * axis + scale), wanted + n);
         }
     };
 
