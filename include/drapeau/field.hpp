@@ -106,7 +106,7 @@ struct Kernels {
     bool starts_with_forces;           // start and synchronised need the acceleration
     double stage_time[4];              // of each pass, in steps from the step's beginning
     void (*advance[4])(const Pass<Real>&);
-    void (*advance_accounted[4])(const Pass<Real>&);  // the same bits, and the work done
+    void (*advance_accounted[4])(const Pass<Real>&);  // the same within rounding, and the work done
     void (*measure)(const Pass<Real>&);               // energy and stretch; moves nothing
     void (*evaluate)(const Pass<Real>&);              // accelerations but for drag and friction, into `out`
     // One mass: n is its element, a its acceleration but for drag and friction.
