@@ -332,8 +332,7 @@ const State<double>& flying_state(int columns, int rows) {
 }
 
 double auto_step(Method method, const Model& model) {
-    const auto coarsest = with_method(method, [](const auto& m) { return std::decay_t<decltype(m)>::coarsest_step; });
-    return whole_steps_per_batch(std::min(automatic_share(model) * stable_step(method, model).seconds(), coarsest));
+    return with_method(method, [&](const auto& m) { return whole_steps_per_batch(automatic_step(m, model)); });
 }
 
 }  // namespace drapeau::bench

@@ -110,7 +110,7 @@ TEMPLATE_LIST_TEST_CASE("Blocks of rows with halos of any depth have the bits of
     const Clock clock{0.0, 0, 1e-4};
     for (const auto& springs : springs_of)
         for (const int halo : {1, 2, 3})
-            for (int seam = halo; seam <= rows - halo; ++seam) {
+            for (int border = halo; border <= rows - halo; ++border) {
                 const Model model = in_the_wind({17, rows, 0.1, 0.08}, springs);
                 Sheet<Real, Method> whole(model, scattered(model.grid, 0.02), noise(masses_of(model), 1.0));
                 whole.advance(clock.dt, 1);  // the method has started
@@ -120,14 +120,14 @@ TEMPLATE_LIST_TEST_CASE("Blocks of rows with halos of any depth have the bits of
                 const auto kernels = kernels_for<Vector<Real>, Method>(model);
                 for (int step = 1; step < steps; ++step)
                     for (int n = 0; n < kernels.passes; ++n) {
-                        // The rows on either side of the seam as they are before the pass
+                        // The rows on either side of the border as they are before the pass
                         auto above = cut.fields, below = cut.fields;
                         const double t = clock.at(step) + kernels.stage_time[n] * clock.dt;
-                        auto upper = cut.pass(0, seam, clock.dt, t), lower = cut.pass(seam, rows, clock.dt, t);
+                        auto upper = cut.pass(0, border, clock.dt, t), lower = cut.pass(border, rows, clock.dt, t);
                         upper.halo = lower.halo = halo;
                         for (int f = 0; f < kernels.fields; ++f) {
-                            upper.below[f] = below[f].view().row(seam);
-                            lower.above[f] = above[f].view().row(seam - halo);
+                            upper.below[f] = below[f].view().row(border);
+                            lower.above[f] = above[f].view().row(border - halo);
                         }
                         kernels.advance[n](upper);
                         kernels.advance[n](lower);

@@ -41,22 +41,21 @@ DRAPEAU_INLINE void for_rows(const Pass<typename Lanes<V>::Real>& pass, Finish&&
     Sweep<V, Operation, diagonals> sweep(pass.waiting, pass.width);
     sweep.begin();
     const bool at_top = pass.above[0].x == nullptr, at_bottom = pass.below[0].x == nullptr;
-    for (int j = at_top ? pass.first : pass.first - pass.halo; j < pass.last; ++j) {
+    const int first = at_top ? pass.first : pass.first - pass.halo, seen_last = at_bottom ? pass.last : pass.last + 1;
+    PassRow<Real, fields> here(pass, first), next = here;
+    for (int j = first; j < pass.last; ++j) {
         if (pass.accelerate) pass.accelerate(pass.terms, j, pass.time);
-        const PassRow<Real, fields> here(pass, j);
-        const RowConstants<Real> constants = pass.constants[j];
-        const SeenRow<Real> seen{here.field[seen_position], here.field[seen_velocity]};
-        const auto at_register = [&](int i, const typename Operation::Value& value)
-                                     DRAPEAU_INLINE_LAMBDA { finish(here.field, constants, i, value); };
-        if (j + 1 < pass.last || !at_bottom) {
-            const PassRow<Real, fields> next(pass, j + 1);
-            const SeenRow<Real> seen_next{next.field[seen_position], next.field[seen_velocity]};
-            sweep.row(constants, seen, &seen_next, at_register);
-        } else {
-            sweep.row(constants, seen, nullptr, at_register);
-        }
+        const RowConstants<Real>& constants = pass.constants[j];
+        const bool has_next = j + 1 < seen_last;
+        if (has_next) next = PassRow<Real, fields>(pass, j + 1);
+        const SeenRow<Real> seen{here.field[seen_position], here.field[seen_velocity]},
+            seen_next{next.field[seen_position], next.field[seen_velocity]};
+        sweep.row(constants, seen, has_next ? &seen_next : nullptr,
+                  [&](int i, const typename Operation::Value& value)
+                      DRAPEAU_INLINE_LAMBDA { finish(here.field, constants, i, value); });
         row_end(j, sweep.operation);
         sweep.operation = {};
+        here = next;
     }
 }
 

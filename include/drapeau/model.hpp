@@ -113,6 +113,12 @@ public:
         return any;
     }
 
+    bool is_limited() const {
+        bool any = false;
+        limits.for_each([&](const auto&) { any = true; });
+        return any;
+    }
+
     /// Springs between neighbours of a row, of a column, and across cells.
     long long springs_in_all() const {
         const long long c = grid.columns, r = grid.rows;
@@ -165,6 +171,7 @@ public:
             constants_[j] = constants_of(model, model.kind(static_cast<int>(j)));
         refill(model);
     }
+    ModelRows(const ModelRows&) = delete;  // constants point into arrays
 
     int width() const { return width_; }
     const RowConstants<Real>* constants() const { return constants_.data(); }

@@ -20,7 +20,7 @@ public:
                       const std::atomic<bool>* abandon) override {
         constexpr long long mass_steps_a_turn = 10'000'000;  // some hundredths of a second
         const auto steps_a_turn =                            // a limit may take as long for one step
-            model().limits == Limits{} ? std::max(1LL, mass_steps_a_turn / model().grid.masses()) : 1;
+            model().is_limited() ? 1 : std::max(1LL, mass_steps_a_turn / model().grid.masses());
         for (long long step = first; step < last; step += steps_a_turn) {
             if (abandon && abandon->load(std::memory_order_relaxed)) return step;
             const Report turn = stepper_.advance(clock, step, std::min(last, step + steps_a_turn), accounted);

@@ -146,7 +146,7 @@ struct Simulation::Run {
     /// How many batches go by between two readings for the picture, so that they cost a hundredth of the steps, or a
     /// little more where a second has few.
     long long batches_between_readings() const {
-        constexpr double steps_a_reading = 140.0;  // hundred times what it costs, in steps
+        constexpr double steps_a_reading = 200.0;  // hundred times what it costs, in steps
         return std::clamp(std::llround(steps_a_reading * now.clock.dt / batch_seconds), 1LL, max_batches);
     }
     static constexpr long long max_batches = 60;

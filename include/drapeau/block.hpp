@@ -1,0 +1,178 @@
+// Block: the rows that one member of a team moves, with the halos between it and its neighbours.
+//
+// Between two blocks each side keeps a halo: copies of the other's rows as they were before the pass, as many as the
+// operation reaches. Springs across are evaluated by both sides, from the same numbers in the same order, so one
+// barrier a pass is enough (copies for the next pass are written while those of this one are read), and the bits are
+// the same for any number of blocks.
+#pragma once
+
+#include "drapeau/advance.hpp"
+#include "drapeau/model.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace drapeau {
+inline namespace DRAPEAU_ISA {
+
+/// When each step of a run begins: a whole number of steps times dt, never a running sum.
+struct Clock {
+    double start = 0.0;   // s, the beginning of step `first`
+    long long first = 0;  // since the run began
+    double dt = 0.0;      // s
+
+    double at(long long step) const { return start + static_cast<double>(step - first) * dt; }
+};
+
+inline constexpr long long no_step = -1;
+
+/// A model and its state as compiled kernels see them: what all blocks share.
+template <class Real>
+struct Body {
+    Body(const Model& of, const Kernels<Real>& by)
+        : model(of), kernels(by), rows(of), sums(static_cast<std::size_t>(of.grid.rows)) {
+        for (int f = 0; f < kernels.fields; ++f) fields.emplace_back(model.grid.columns, model.grid.rows, f);
+    }
+    Body(const Body&) = delete;
+
+    Model model;
+    Kernels<Real> kernels;
+    ModelRows<Real> rows;
+    std::vector<FieldBuffer<Real>> fields;  // position, velocity and what the method keeps
+    Array<RowSums> sums;  // not std's: its functions would be shared between instruction sets (isa.hpp)
+};
+
+template <class Real>
+class Block {
+public:
+    static constexpr int halo_rows = SpringForce<Real, true>::reach;
+
+    /// Block `number` of `count` blocks of about as many rows each.
+    Block(Body<Real>& body, int number, int count)
+        : body_(body),
+          first_(static_cast<int>(1LL * body.model.grid.rows * number / count)),
+          last_(static_cast<int>(1LL * body.model.grid.rows * (number + 1) / count)),
+          waiting_(body.rows.width()),
+          acceleration_(body.model.grid.columns, 1) {
+        for (int parity = 0; parity < 2; ++parity)
+            for (int f = 0; f < body.kernels.fields; ++f) {
+                if (number > 0) above_[parity].emplace_back(body.model.grid.columns, halo_rows, f);
+                if (number + 1 < count) below_[parity].emplace_back(body.model.grid.columns, halo_rows, f);
+            }
+    }
+    Block(const Block&) = delete;
+
+    /// Both are to hand over their borders to each other.
+    void join(Block& below) {
+        next_ = &below;
+        below.previous_ = this;
+    }
+
+    /// Takes the steps from <= n < to of the clock; in step `accounted` the work of every force is summed. `meet`
+    /// returns when every block has come there; after_the_move(step) is called by every block between two meetings.
+    template <class Meet, class AfterTheMove>
+    void advance(const Clock& clock, long long from, long long to, long long accounted, Meet&& meet,
+                 AfterTheMove&& after_the_move) {
+        const auto& k = body_.kernels;
+        Pass<Real> p = pass(clock.dt);
+        int parity = 0;
+        hand_over(parity);
+        meet();
+        for (long long step = from; step < to; ++step) {
+            const auto* kernels = step == accounted ? k.advance_accounted : k.advance;
+            for (int n = 0; n < k.passes; ++n) {
+                p.time = clock.at(step) + k.stage_time[n] * clock.dt;
+                if (!p.accelerate) accelerate(first_, p.time);
+                use_halos(p, parity);
+                kernels[n](p);
+                parity = 1 - parity;
+                if (n + 1 == k.passes) after_the_move(step);
+                hand_over(parity);
+                meet();
+            }
+        }
+    }
+
+    /// A pass that moves nothing, at time `now` (s), for a method that was started with the step dt (s).
+    void look(double now, double dt, void (*kernel)(const Pass<Real>&), const Field<Real>& out) {
+        Pass<Real> p = pass(dt);
+        const auto view = [&](int row, Field<Real>* halo) {
+            for (int f = 0; f < body_.kernels.fields; ++f) halo[f] = body_.fields[f].view().row(row);
+        };
+        if (first_ > 0) view(first_ - halo_rows, p.above);
+        if (last_ < p.rows) view(last_, p.below);
+        p.time = now;
+        p.out = out;
+        if (!p.accelerate) accelerate(first_, now);
+        kernel(p);
+    }
+
+    /// Kinetic energy of the velocities as stored, into the rows' sums.
+    void sum_kinetic() {
+        using V = Vector<Real, 16>;
+        const auto velocity = std::as_const(body_.fields[1]).view();
+        for (int j = first_; j < last_; ++j) {
+            V sum{};
+            for (int i = 0; i < body_.rows.width(); i += Lanes<V>::width) {
+                const auto v = velocity.row(j).template at<V>(i);
+                sum = sum + Lanes<V>::load(body_.rows.constants()[j].mass + i) * dot(v, v);
+            }
+            body_.sums[j].kinetic = 0.5 * sum_of(sum);
+        }
+    }
+
+private:
+    Pass<Real> pass(double dt) {
+        Pass<Real> p{};
+        for (int f = 0; f < body_.kernels.fields; ++f) p.fields[f] = body_.fields[f].view();
+        p.halo = halo_rows;
+        p.first = first_, p.last = last_, p.rows = body_.model.grid.rows;
+        p.width = body_.rows.width();
+        p.constants = body_.rows.constants();
+        p.acceleration = std::as_const(acceleration_).view();
+        if (body_.model.varies_by_row()) p.accelerate = &accelerate_row;
+        p.terms = this;
+        p.dt = static_cast<Real>(dt);
+        p.waiting = waiting_.view();
+        p.sums = body_.sums.data();
+        return p;
+    }
+
+    void accelerate(int row, double time) {
+        auto a = acceleration_.view();
+        for (Real* component : {a.x, a.y, a.z}) std::fill_n(component, body_.rows.width(), Real(0));
+        const PushedRow<Real> pushed{body_.model.grid, row, body_.rows.width(), body_.rows.drag_rate(body_.model, row)};
+        body_.model.terms.for_each([&](const auto& term) {
+            if constexpr (requires { term.accelerate(pushed, time, a); }) term.accelerate(pushed, time, a);
+        });
+    }
+    static void accelerate_row(void* block, int row, double time) { static_cast<Block*>(block)->accelerate(row, time); }
+
+    /// Copies of this block's outermost rows for the neighbours.
+    void hand_over(int parity) {
+        const auto copy = [&](std::vector<FieldBuffer<Real>>& halo, int from) {
+            for (const int f : {body_.kernels.seen_position, body_.kernels.seen_velocity})
+                for (int c = 0; c < 3; ++c) {
+                    const auto& source = body_.fields[f].component(c);
+                    const std::ptrdiff_t stride = body_.fields[f].stride();
+                    std::copy_n(source.begin() + from * stride, halo_rows * stride, halo[f].component(c).begin());
+                }
+        };
+        if (previous_) copy(previous_->below_[parity], first_);
+        if (next_) copy(next_->above_[parity], last_ - halo_rows);
+    }
+    void use_halos(Pass<Real>& p, int parity) {
+        for (std::size_t f = 0; f < above_[parity].size(); ++f) p.above[f] = above_[parity][f].view();
+        for (std::size_t f = 0; f < below_[parity].size(); ++f) p.below[f] = below_[parity][f].view();
+    }
+
+    Body<Real>& body_;
+    Block *previous_ = nullptr, *next_ = nullptr;
+    int first_, last_;  // rows
+    WaitingBuffer<Real> waiting_;
+    FieldBuffer<Real> acceleration_;
+    std::vector<FieldBuffer<Real>> above_[2], below_[2];  // of even and odd passes; empty at the cloth's border
+};
+
+}  // namespace DRAPEAU_ISA
+}  // namespace drapeau
