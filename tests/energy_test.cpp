@@ -26,7 +26,7 @@ const Points displaced{{0, 0, 0}, {2.01, 0, 0}};
 
 }  // namespace
 
-TEMPLATE_LIST_TEST_CASE("A mode's energy grows or shrinks by the method's own factor", "[physics]", DoubleCases) {
+TEMPLATE_LIST_TEST_CASE("A mode's energy grows or shrinks by the method's own factor", "[physics]", WrittenOutDouble) {
     // With y = omega dt; of the amplitude a step: forward Euler sqrt(1 + y^2), Runge-Kutta
     // (1 - y^6/72 + y^8/576)^(1/2), the staggered methods 1 at any stable step: with v+ - v- = -dt w K x and
     // x' - x = dt v', m v-.v+ / 2 + K x^2 / 2 changes by m v'.(v'' - v)/2 + K (x' + x)(x' - x)/2 = 0.
@@ -121,7 +121,7 @@ TEMPLATE_LIST_TEST_CASE("Work is told of the accounted step alone", "[physics]",
 }
 
 TEMPLATE_LIST_TEST_CASE("Energy less work is the springs' quadrature error and nothing else", "[physics]",
-                        DoubleCases) {
+                        WrittenOutDouble) {
     // The kinetic energy gains dt F.(v- + v+)/2 exactly, so of an accounted step all is left but what the springs'
     // potential changes beside what that quadrature takes their forces to do: of staggered methods the trapezoid of
     // the forces at both ends along the step, U(x') - U(x) + (f + f').(x' - x)/2; of forward Euler

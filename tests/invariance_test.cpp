@@ -182,7 +182,7 @@ TEMPLATE_LIST_TEST_CASE("Wind is gravity: drag in wind w is still air under g + 
             Sheet<Real, Method> a(windy, x, v), b(still, x, v);
             const double dt = tame_step<Method>(windy);
             for (int n = 0; n < steps; ++n) {
-                still.terms.add(Gravity{gravity.acceleration + drag / m * wind.at(n * dt)});
+                still.terms.add(Gravity{gravity.acceleration + drag / m * wind.at((n + Method::stage_time[0]) * dt)});
                 b.stepper.refill(still);
                 a.advance(dt, 1), b.advance(dt, 1);
             }

@@ -16,6 +16,6 @@ double DRAPEAU_ENTRY(float wind) {
     Stepper<double> stepper(flag.model(), kernels);
     stepper.set(crumpled_start(flag.model(), 0.0, 1));
     Ledger ledger;
-    ledger.open(0.0, stepper.measure(0.0).total());
+    ledger.open(0.0, stepper.measure(0.0).total(), 0.0);
     return flag.position(4, 3).x + ledger.created_share() + automatic_share(flag.model());
 }

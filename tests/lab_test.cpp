@@ -16,6 +16,7 @@
 #include <iterator>
 #include <random>
 #include <sstream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -243,8 +244,10 @@ TEST_CASE("results are a table for a person, a JSON object and a CSV row for pro
     std::string header, row, more;
     std::getline(csv, header);
     std::getline(csv, row);
-    CHECK(header.starts_with("scene,columns,rows,method,precision,threads,time_s,steps,dt_s,"));
-    CHECK(row.starts_with("\"Storm\",50,30,\"semi-implicit-euler\",\"float\",1,0.1,1000,0.0001,"));
+    CHECK(header.starts_with("scene,columns,rows,modelled,method,precision,threads,time_s,steps,dt_s,"));
+    CHECK(
+        row.starts_with("\"Storm\",50,30,\"springs + diagonal springs + spring damping + gravity + air drag + "
+                        "wind\",\"semi-implicit-euler\",\"float\",1,0.1,1000,0.0001,"));
     CHECK(std::count(header.begin(), header.end(), ',') == std::count(row.begin(), row.end(), ','));
     CHECK_FALSE(std::getline(csv, more));
 }
@@ -267,13 +270,14 @@ TEST_CASE("with dt auto any time is filled with equal steps within the stability
         const auto outcome = bench.run("run sheet.toml --dt auto --state s.csv --csv r.csv --seconds " + seconds);
         REQUIRE(outcome.status == 0);
         std::istringstream csv(contents(bench.path / "r.csv"));
-        std::string line, cell;
+        std::string header, line, key, cell;
+        std::getline(csv, header);
         std::getline(csv, line);
-        std::getline(csv, line);
-        std::istringstream row(line);
-        std::vector<double> cells;
-        while (std::getline(row, cell, ',')) cells.push_back(std::atof(cell.c_str()));
-        const double time = cells[6], steps = cells[7], dt = cells[8], limit = cells[9];
+        std::istringstream keys(header), row(line);
+        std::map<std::string, double> cells;
+        while (std::getline(keys, key, ',') && std::getline(row, cell, ',')) cells[key] = std::atof(cell.c_str());
+        const double time = cells.at("time_s"), steps = cells.at("steps"), dt = cells.at("dt_s"),
+                     limit = cells.at("stability_limit_s");
         CHECK(time == Approx(std::atof(seconds.c_str())).epsilon(1e-12));
         CHECK(steps * dt == Approx(time).epsilon(1e-12));
         CHECK(dt <= 0.9 * limit * (1.0 + 1e-12));
@@ -340,6 +344,11 @@ TEST_CASE("a bad command line is refused in one line") {
     check_refused(bench.run("run light.toml --seconds 1"), "--seconds = 1: about");
     check_refused(bench.run("run light.toml --seconds 1"), "--force");
     check_refused(bench.run("run light.toml --seconds 1000 --dt 1e-9 --method leapfrog"), "--force");
+    // What a stretch limit needs is known only on the way: the run ends after a few seconds.
+    bench.write("limited.toml",
+                "[flag]\ncolumns = 120\nrows = 80\nwidth = 1.5\nheight = 1\n[springs]\nmass = 0.001\nstiffness = 2\n"
+                "damping = 0.001\n[gravity]\n[limit]\nstretch = 0.001\n");
+    check_refused(bench.run("run limited.toml --seconds 1e5"), "--force");
     check_refused(bench.run("run storm --seconds 1 --precision half"), "\"float\" or \"double\"");
     // No drag: explicit Euler has no stable step.
     check_refused(bench.run("run sheet.toml --seconds 1 --method forward-euler"), "auto");

@@ -116,3 +116,15 @@ TEST_CASE("A strength set while a flag flies acts from the next step on, and not
     CHECK(std::abs(flag.state().velocity.at(2, 1).y) < 1e-13);
     CHECK(flag.time() == 200 * 1e-3);
 }
+
+TEST_CASE("An automatic step follows the strengths that are set, a given one does not", "[physics]") {
+    Flag<double, SemiImplicitEuler, AirDrag> flag(Grid{4, 3, 0.1, 0.1}, Attach::hoist, {.mass = 0.01, .stiffness = 100},
+                                                  AirDrag{0.01});
+    const double before = flag.dt();
+    flag.set(Cloth{.mass = 0.01, .stiffness = 1e6});
+    CHECK(flag.dt() < 0.011 * before);  // the bound is proportional to 1/sqrt(k)
+    CHECK(flag.largest_stable_step().allows(flag.dt()));
+    flag.set_step(1e-5);
+    flag.set(Cloth{.mass = 0.01, .stiffness = 1e4});
+    CHECK(flag.dt() == 1e-5);
+}

@@ -91,6 +91,7 @@ void advance_rows_accounted(const Pass<typename Lanes<V>::Real>& pass) {
     const auto pushed = pass.acceleration;
     const Real dt = pass.dt;
     V external{}, damping{};
+    Triple<V> drift{};
     for_rows<V, SpringForceParts<V, damped>, diagonals, fields, Method::template seen_position<damped>,
              Method::template seen_velocity<damped>>(
         pass,
@@ -103,14 +104,19 @@ void advance_rows_accounted(const Pass<typename Lanes<V>::Real>& pass) {
                     Method::template move<number, damped>(Masses<V>{row, i}, a, L::load(constants.rate + i), dt);
                 external = external + m * dot(motion.acceleration - w * springs, motion.velocity);
                 damping = damping + dot((m * w) * force.damping, motion.velocity);
+                drift = drift + m * motion.velocity;
             },
         [&](int j, const auto&) DRAPEAU_INLINE_LAMBDA {
             if (j >= pass.first) {
                 const double step = static_cast<double>(dt) * Method::weight[number];
                 pass.sums[j].external_work += step * sum_of(external);
                 pass.sums[j].damping_work += step * sum_of(damping);
+                pass.sums[j].drift[0] += step * sum_of(drift.x);
+                pass.sums[j].drift[1] += step * sum_of(drift.y);
+                pass.sums[j].drift[2] += step * sum_of(drift.z);
             }
             external = damping = V{};
+            drift = Triple<V>{};
         });
 }
 
@@ -122,7 +128,7 @@ void measure_rows(const Pass<typename Lanes<V>::Real>& pass) {
     constexpr int fields = Method::template fields<damped>;
     const auto pushed = pass.acceleration;
     const Real dt = pass.dt;
-    V kinetic{}, power{};
+    V kinetic{}, kinetic_now{}, power{};
     Triple<V> moment{};
     for_rows<V, SpringGauge<V, damped>, diagonals, fields, 0, Method::template seen_velocity<damped>>(
         pass,
@@ -136,6 +142,12 @@ void measure_rows(const Pass<typename Lanes<V>::Real>& pass) {
                 kinetic = kinetic + m * dot(v, v + dt * a);
             else
                 kinetic = kinetic + m * dot(v, v);
+            if constexpr (Method::starts_with_forces) {
+                const auto centred = v + (Real(0.5) * dt) * a;
+                kinetic_now = kinetic_now + m * dot(centred, centred);
+            } else {
+                kinetic_now = kinetic_now + m * dot(v, v);
+            }
             power = power + m * dot(a - w * force.elastic, v);
             moment = moment + m * row[0].template at<V>(i);
         },
@@ -143,6 +155,7 @@ void measure_rows(const Pass<typename Lanes<V>::Real>& pass) {
             if (j >= pass.first) {
                 RowSums& sums = pass.sums[j];
                 sums.kinetic = 0.5 * sum_of(kinetic);
+                sums.kinetic_now = 0.5 * sum_of(kinetic_now);
                 sums.power = sum_of(power);
                 sums.elastic = sum_of(gauge.elastic);
                 sums.stretch = sum_of(gauge.stretch);
@@ -151,7 +164,7 @@ void measure_rows(const Pass<typename Lanes<V>::Real>& pass) {
                 sums.force_squares = sum_of(gauge.force_squares);
                 sums.moment[0] = sum_of(moment.x), sums.moment[1] = sum_of(moment.y), sums.moment[2] = sum_of(moment.z);
             }
-            kinetic = power = V{};
+            kinetic = kinetic_now = power = V{};
             moment = Triple<V>{};
         });
 }

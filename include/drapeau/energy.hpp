@@ -3,7 +3,7 @@
 // E = elastic + kinetic. Every force but the springs' elasticity counts its work W by the method's own quadrature,
 // passes after the move the energy they change. What is left over, C = E - E_0 - W, was created (or lost) by the
 // method: on smooth motion a share of a per cent, in a run that is garbage a good part of all there is. Height is not
-// in E: gravity works.
+// in E: gravity works; as its work is the change of its potential, it is known without being summed.
 #pragma once
 
 #include "drapeau/isa.hpp"
@@ -20,6 +20,7 @@ inline namespace DRAPEAU_ISA {
 /// What a cloth holds at one instant. Held masses do not move and count for nothing in kinetic energy.
 struct Measurement {
     double kinetic = 0.0;       // J; of staggered methods sum m v-.v+ / 2, of the velocities before and after the kick
+    double kinetic_now = 0.0;   // J, of the velocities at the positions' time: what there is to see
     double elastic = 0.0;       // J, sum of k (l - L)^2 / 2
     double max_stretch = -1.0;  // share, max (l - L) / L; negative where every spring is compressed
     double mean_stretch = 0.0;  // share, mean |l - L| / L
@@ -36,12 +37,18 @@ struct Measurement {
 
 /// Work done on a flag (J).
 struct Work {
-    double external = 0.0;  // by gravity, drag, wind, friction
+    double external = 0.0;  // by drag, friction and terms that push, but those that store energy
+    double stored = 0.0;    // that those stored: gravity's work is -stored
     double damping = 0.0;   // by the springs' dampers
     double passes = 0.0;    // energy that passes after the move added
 
-    double all() const { return external + damping + passes; }
-    void add(const Work& other) { external += other.external, damping += other.damping, passes += other.passes; }
+    /// Of all but what is stored.
+    double lost() const { return external + damping + passes; }
+    double all() const { return lost() - stored; }
+    double gross() const { return std::abs(external) + std::abs(stored) + std::abs(damping) + std::abs(passes); }
+    void add(const Work& other) {
+        external += other.external, stored += other.stored, damping += other.damping, passes += other.passes;
+    }
 };
 
 /// A sum of which only samples are known: its value and the variance of that value.
@@ -60,46 +67,52 @@ struct Ledger {
 
     double initial = 0.0;   // J
     Estimate external;      // J, what external forces brought in, summed over batches in which that was positive
+    double fallen = 0.0;    // J, the most that gravity has given since the beginning
     Estimate created;       // J
     double rounding = 0.0;  // J, what rounding may have made
     double energy = 0.0;    // J, when last looked
 
-    /// Opens it on what a flag holds at time `now` (s).
-    void open(double now, double joules) {
+    /// Opens it on what a flag holds at time `now` (s), `potential` (J) being gravity's.
+    void open(double now, double joules, double potential) {
         *this = {};
         initial = energy = joules;
-        looks_.push_back({now, joules, 0.0, {}, {}});
+        potential_ = potential;
+        looks_.push_back({now, joules, potential, 0.0, {}, {}});
     }
 
     /// Takes in the span up to `now` (s) at whose end there are `joules`: what came in, what was created and what
     /// rounding may have made in it (J).
-    void add(double now, double joules, const Estimate& came_in, const Estimate& made, double rounding_energy) {
+    void add(double now, double joules, double potential, const Estimate& came_in, const Estimate& made,
+             double rounding_energy) {
         external.add(came_in);
+        fallen = std::max(fallen, potential_ - potential);
         created.add(made);
         rounding += rounding_energy;
         energy = joules;
-        looks_.push_back({now, joules, rounding, external, created});
+        looks_.push_back({now, joules, potential, rounding, external, created});
         while (looks_.size() > 2 && looks_[1].time <= now - window) looks_.pop_front();
     }
 
-    double scale() const { return std::max(initial + external.value + external.doubt(), energy) + rounding; }
+    double scale() const { return std::max(brought(), energy) + rounding; }
 
     /// Created energy (lost, if negative) over all that there could be, what is in doubt left out: since the ledger was
     /// opened or in the last second, the greater.
     double created_share() const {
         const auto& then = looks_.front();
         const Estimate lately{created.value - then.created.value, created.variance - then.created.variance};
-        const double came_in = external.value - then.external.value + external.doubt() - then.external.doubt();
+        double lowest = then.potential;
+        for (const auto& look : looks_) lowest = std::min(lowest, look.potential);
+        const double came_in =
+            external.value - then.external.value + external.doubt() - then.external.doubt() + then.potential - lowest;
         const double here = std::max(then.energy + came_in, energy) + rounding - then.rounding;
         const double all = share(certain(created), scale()), last = share(certain(lately), here);
         return std::abs(last) > std::abs(all) ? last : all;
     }
     /// Energy over all that was there or came in.
-    double energy_share() const { return share(energy, initial + external.value + external.doubt() + rounding); }
+    double energy_share() const { return share(energy, brought() + rounding); }
 
     bool is_finite() const { return std::isfinite(energy) && std::isfinite(created.value); }
-    /// `creates`: the method creates energy by nature or the step is past its limit, so that what it created is judged
-    /// by the energy there is.
+    /// `creates`: the method creates energy by nature, so that what it created is judged by the energy there is.
     bool is_broken(bool creates) const {
         return !is_finite() || energy_share() > 1.0 + broken_share || created_share() < -broken_share ||
                (!creates && created_share() > broken_share);
@@ -107,15 +120,17 @@ struct Ledger {
 
 private:
     struct Look {
-        double time, energy, rounding;
+        double time, energy, potential, rounding;
         Estimate external, created;
     };
+    double brought() const { return initial + fallen + external.value + external.doubt(); }
     static double share(double part, double whole) { return part != 0.0 ? part / whole : 0.0; }
     static double certain(const Estimate& e) {
         return std::copysign(std::max(0.0, std::abs(e.value) - e.doubt()), e.value);
     }
 
     std::deque<Look> looks_;
+    double potential_ = 0.0;  // J, when opened
 };
 
 }  // namespace DRAPEAU_ISA

@@ -65,8 +65,10 @@ struct WaitingRow {
 struct RowSums {
     double external_work;  // J, by drag, friction and every term that pushes masses
     double damping_work;   // J, by the springs' dampers
+    double drift[3];       // kg m, sum of m v dt with the velocity that work is counted with
     double elastic;        // J
-    double kinetic;        // J
+    double kinetic;        // J, as the ledger counts it
+    double kinetic_now;    // J, of velocities at the positions' time
     double power;          // W, of all but the springs' elasticity, with the velocity as stored
     double stretch;        // sum of |l - L| / L
     double max_stretch;    // greatest (l - L) / L

@@ -43,23 +43,23 @@ public:
     static constexpr bool damped = has<SpringDamping>, diagonals = has<DiagonalSprings>;
     static constexpr bool rated = (brakes<Listed> || ...);
 
-    /// Flat, at rest, its top corner at the hoist at the origin. The automatic step until another is set.
+    /// Flat, at rest, its top corner at the hoist at the origin. The automatic step until another is set; a method that
+    /// has none (forward Euler without drag) begins with 1/60 s.
     Flag(const Grid& grid, Attach attach, const Cloth& cloth, const Listed&... listed)
         : model_(model_of(grid, attach, cloth, listed...)),
           stepper_(model_, kernels_of<Vector<Real>, Method, damped, diagonals, rated>()) {
-        const bool none = largest_stable_step().is_none();
-        set_step(whole_steps_per_batch(none ? batch_seconds : automatic_step(Method{}, model_)));
+        follow_automatic_step();
     }
 
     /// Shares the work among so many threads; the result is the same for any number. Throws std::system_error where the
     /// system gives no more.
     void use_threads(int count) { stepper_.use_threads(count); }
 
-    /// The step (s) from now on. Time is a whole number of steps times dt from the moment it was last set.
+    /// The step (s) from now on, instead of the automatic one. Time is a whole number of steps times dt from the moment
+    /// it was last set.
     void set_step(double dt) {
-        if (dt == clock_.dt) return;
-        stepper_.synchronise(time());
-        clock_ = {time(), steps_, dt};
+        automatic_ = false;
+        take_step(dt);
     }
     /// Takes `steps` steps. Nothing is allocated and nothing is thrown.
     Report advance(long long steps) {
@@ -69,19 +69,21 @@ public:
     }
     /// Takes the steps of `count` sixtieths of a second; their step is made to fill them first.
     Report advance_batches(long long count) {
-        set_step(whole_steps_per_batch(clock_.dt));
+        take_step(whole_steps_per_batch(clock_.dt));
         return advance(count * std::llround(batch_seconds / clock_.dt));
     }
 
-    /// Changes a strength while the flag flies on. Nothing is built anew.
+    /// Changes a strength while the flag flies on. Nothing is built anew; an automatic step follows.
     template <class T>
     requires(has<T>) void set(const T& listed) {
         take(model_, listed);
         stepper_.refill(model_);
+        if (automatic_) follow_automatic_step();
     }
     void set(const Cloth& cloth) {
         take(model_, cloth);
         stepper_.refill(model_);
+        if (automatic_) follow_automatic_step();
     }
 
     double time() const { return clock_.at(steps_); }  // s
@@ -99,6 +101,16 @@ public:
     StableStep largest_stable_step() const { return stable_step(Method{}, model_); }
 
 private:
+    void take_step(double dt) {
+        if (dt == clock_.dt) return;
+        stepper_.synchronise(time());
+        clock_ = {time(), steps_, dt};
+    }
+    void follow_automatic_step() {
+        const bool none = largest_stable_step().is_none();
+        take_step(whole_steps_per_batch(none ? batch_seconds : automatic_step(Method{}, model_)));
+    }
+
     static void take(Model& model, const Cloth& cloth) {
         model.springs.mass = cloth.mass;
         model.springs.stiffness = cloth.stiffness;
@@ -124,6 +136,7 @@ private:
     Stepper<Real> stepper_;
     Clock clock_;
     long long steps_ = 0;
+    bool automatic_ = true;
 };
 
 }  // namespace DRAPEAU_ISA

@@ -9,8 +9,10 @@
 //   staggered                    the velocity stored is half a step behind the position
 //   total(a, rate, v, dt)        the acceleration with drag and friction, from the one without
 //   move<pass, damped>(masses, a, rate, dt)   moves a register of masses; returns their Motion
-//   starts_with_forces           whether start and synchronised need the acceleration
-//   start<damped>, synchronised<damped>, follow<damped>   for one mass, see below
+//   starts_with_forces           whether the next two need the acceleration (they and follow are for one mass)
+//   start<damped>                at every start, position and velocity being of the same time: sets what is kept
+//   synchronised<damped>         the velocity at the position's time; asked only with starts_with_forces
+//   follow<damped>               moves a mass by dx and lets its velocity, and what is kept of both, follow
 //   stable_step(oscillator)      the largest stable step, see stability.hpp
 //
 // The acceleration `a` that a method is given has everything but drag and friction in it; `rate` (1/s) is theirs.

@@ -113,6 +113,14 @@ public:
         return any;
     }
 
+    /// The energy (J) that terms such as gravity store in masses whose sum of m x is `moment` (kg m).
+    double potential(const glm::dvec3& moment) const {
+        double sum = 0.0;
+        terms.for_each([&](const auto& term) {
+            if constexpr (requires { term.potential(moment); }) sum += term.potential(moment);
+        });
+        return sum;
+    }
     bool is_limited() const {
         bool any = false;
         limits.for_each([&](const auto&) { any = true; });

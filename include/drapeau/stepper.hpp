@@ -91,11 +91,16 @@ public:
                 meet();
             });
         });
-        if (accounts)
+        if (accounts) {
+            glm::dvec3 drift(0.0);
             for (const auto& row : body_.sums) {
                 report.work.external += row.external_work;
                 report.work.damping += row.damping_work;
+                drift += glm::dvec3(row.drift[0], row.drift[1], row.drift[2]);
             }
+            report.work.stored = model().potential(drift);
+            report.work.external += report.work.stored;
+        }
         return report;
     }
 
@@ -217,6 +222,7 @@ private:
         Measurement sum;
         for (const auto& row : body_.sums) {
             sum.kinetic += row.kinetic;
+            sum.kinetic_now += row.kinetic_now;
             sum.elastic += row.elastic;
             sum.power += row.power;
             sum.mean_stretch += row.stretch;

@@ -1,17 +1,19 @@
 // Term: what may push or brake every mass, besides the springs. A term is one file in terms/, a plain aggregate of its
 // parameters with these members:
 //
-//   name                        for messages, tables and the benchmark
+//   name                        for people
 //   table (if it has one)       its table in a scene file; its keys are rows of src/scene_fields.hpp
 //
 // and of these what it needs; what a term does not have is not asked for, and a term that is not listed is not
 // executed:
 //
-//   accelerate(row, t, a)       adds the acceleration (m/s2) that it gives the masses of a row at time t (s)
-//   varies_by_row(grid)         whether that differs from row to row; without it, it does not
-//   damping(share)              N s/m that brake a mass's own velocity; share: of a mass inside (1), on a border (1/2
-//   or
-//                               1 by the model). It lowers the largest stable step and its work is counted.
+//   accelerate(row, t, a)       adds, to every element of a row, the acceleration (m/s2) of its mass at time t (s)
+//   varies_by_row(grid)         whether that differs from row to row; without it one row is asked for and stands for
+//                               all of them
+//   potential(moment)           the energy (J) it stores in masses whose sum of m x is `moment` (kg m), of a push that
+//                               is the same everywhere and always
+//   damping(share)              N s/m that brake a mass's own velocity; share: of a mass inside, 1, or on a border that
+//                               is lighter. It lowers the largest stable step and its work is counted.
 //   is_air                      the damping is against the air, so wind is felt through it
 #pragma once
 

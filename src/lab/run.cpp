@@ -92,19 +92,29 @@ Plan plan_for(const Scene& scene, double seconds, const std::string& given_secon
     return {0, std::llround(std::min(steps, 9e18)), seconds / steps};
 }
 
+constexpr double longest_run = 24.0 * 3600.0;  // s
+
 /// Refuses what would take longer than anybody waits, before it begins.
 void check_duration(const Scene& scene, const Simulation& simulation, double seconds) {
-    constexpr double longest = 24.0 * 3600.0;      // s
     constexpr double mass_steps_a_second = 1.5e8;  // of one core; small flags are slower by the mass
     constexpr double steps_a_second = 2e6;
     const double steps = seconds / simulation.dt();
     const int passes = with_method(scene.time.method, [](const auto& m) { return std::decay_t<decltype(m)>::passes; });
     const double masses = static_cast<double>(simulation.model().grid.masses());
     const double estimate = steps * passes * std::max(masses / mass_steps_a_second, 1.0 / steps_a_second);
-    if (estimate <= longest) return;
+    if (estimate <= longest_run) return;
     throw InputError("--seconds = " + shortest(seconds) + ": about " + rounded(estimate / 3600.0, 2) + " h for " +
                      rounded(steps, 3) + " steps of " + in_words(simulation.dt()) + " and " + rounded(masses, 3) +
-                     " masses, more than " + rounded(longest / 3600.0, 2) + " h; --force runs it");
+                     " masses, more than " + rounded(longest_run / 3600.0, 2) + " h; --force runs it");
+}
+
+/// Ends in its first minute what turns out to take as long after all: nobody knows before how many sweeps a limit
+/// needs.
+void check_pace(double share_done, double wall) {
+    constexpr double known_after = 3.0, minute = 60.0;  // s
+    if (wall < known_after || wall > minute || wall / share_done <= longest_run) return;
+    throw InputError("this run would take about " + rounded(wall / share_done / 3600.0, 2) + " h, more than " +
+                     rounded(longest_run / 3600.0, 2) + " h; --force runs it");
 }
 
 struct Cost {
@@ -112,14 +122,19 @@ struct Cost {
     double wall = 0.0;       // s
 };
 
-std::optional<Divergence> carry_out(const Plan& plan, Simulation& simulation, Cost& cost) {
+std::optional<Divergence> carry_out(const Plan& plan, Simulation& simulation, Cost& cost, bool force) {
     const auto wall_start = std::chrono::steady_clock::now();
+    const auto wall = [&] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
+    };
     const double processor_start = processor_seconds();
     Progress progress;
     std::optional<Divergence> divergence;
     for (long long batch = 0; batch < plan.batches && !divergence; ++batch) {
         divergence = simulation.advance_batch();
-        progress.show(static_cast<double>(batch + 1) / static_cast<double>(plan.batches));
+        const double share = static_cast<double>(batch + 1) / static_cast<double>(plan.batches);
+        progress.show(share);
+        if (!force) check_pace(share, wall());
     }
     // A bit at a time, so that the bar moves.
     const double masses = static_cast<double>(simulation.model().grid.masses());
@@ -127,11 +142,13 @@ std::optional<Divergence> carry_out(const Plan& plan, Simulation& simulation, Co
         std::max(1LL, std::llround(std::min(std::max(1e7 / masses, 1.0), batch_seconds / simulation.dt())));
     for (long long done = 0; done < plan.steps && !divergence; done += at_once) {
         divergence = simulation.advance_steps(std::min(at_once, plan.steps - done));
-        progress.show(std::min(1.0, static_cast<double>(done + at_once) / static_cast<double>(plan.steps)));
+        const double share = std::min(1.0, static_cast<double>(done + at_once) / static_cast<double>(plan.steps));
+        progress.show(share);
+        if (!force) check_pace(share, wall());
     }
     if (!divergence) divergence = simulation.check();
     cost.processor = processor_seconds() - processor_start;
-    cost.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
+    cost.wall = wall();
     return divergence;
 }
 
@@ -170,6 +187,19 @@ std::string in_hex(std::uint64_t value) {
     return digits;
 }
 
+/// What the step computes, in words: nothing that is not listed costs anything.
+std::string modelled(const Model& model) {
+    std::string words = "springs";
+    const auto add = [&](bool listed, const char* name) {
+        if (listed) words += std::string(" + ") + name;
+    };
+    add(model.has_diagonals(), "diagonal springs");
+    add(model.is_damped(), "spring damping");
+    model.terms.for_each([&](const auto& term) { add(true, term.name); });
+    model.limits.for_each([&](const auto& limit) { add(true, limit.name); });
+    return words;
+}
+
 std::vector<Result> results_of(const Simulation& simulation, int threads, const Cost& cost,
                                const std::optional<Divergence>& divergence) {
     const Scene& scene = simulation.scene();
@@ -177,8 +207,9 @@ std::vector<Result> results_of(const Simulation& simulation, int threads, const 
     const Readings readings = simulation.readings();
     const double time = simulation.time();
     const StableStep limit = simulation.stability_limit();
-    const double milliseconds = 1e3 * cost.processor / time;
-    const double real_time = time / cost.wall;
+    // Neither is known of a run that took no step.
+    const double milliseconds = time > 0.0 ? 1e3 * cost.processor / time : NAN;
+    const double real_time = time > 0.0 ? time / cost.wall : NAN;
     const std::string of_limit = limit.is_none() ? "no step is known to be stable"
                                  : limit.is_unlimited()
                                      ? "every step is stable"
@@ -199,6 +230,7 @@ std::vector<Result> results_of(const Simulation& simulation, int threads, const 
     text("scene", scene.name, "scene");
     number("columns", flag.columns, "masses", std::to_string(flag.columns) + " x " + std::to_string(flag.rows));
     number("rows", flag.rows, "", "");
+    text("modelled", modelled(model_of(scene)), "modelled");
     text("method", name_of(scene.time.method), "method");
     text("precision", name_of(scene.time.precision), "precision");
     number("threads", threads, "threads", std::to_string(threads));
@@ -291,7 +323,7 @@ int run(const RunOptions& options) {
     simulation.use_threads(threads);
 
     Cost cost;
-    const auto divergence = carry_out(plan, simulation, cost);
+    const auto divergence = carry_out(plan, simulation, cost, options.force);
     const auto results = results_of(simulation, threads, cost, divergence);
     write_results(options, results);
     if (divergence) {

@@ -66,6 +66,9 @@ std::string cause_and_remedy(Method method, const Divergence& d) {
         case Divergence::Cause::energy_created:
             return "the step " + in_words(d.dt) + " is within the stability limit " + in_words(d.limit.seconds()) +
                    " of " + name + ", but the motion is so violent that the method creates energy; " + remedy;
+        case Divergence::Cause::energy_lost:
+            return "the step " + in_words(d.dt) + " is within the stability limit " + in_words(d.limit.seconds()) +
+                   " of " + name + ", but too large for it to keep the energy of this motion; " + remedy;
         case Divergence::Cause::beyond_precision:
             break;
     }
@@ -99,6 +102,8 @@ Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const
     Progress now = good, before = good;
     const bool found = !replay.holds(now, before, broken_at + 2.0 * batch_seconds);
     const bool finite = std::isfinite(engine.kinetic());
+    if (found && finite && d.cause == Divergence::Cause::energy_created && watch.ledger().created_share() < 0.0)
+        d.cause = Divergence::Cause::energy_lost;
     long long bad = now.steps;
     if (found && !finite) {
         long long fine = before.steps;
@@ -139,7 +144,7 @@ Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const
             watch = watch_then;
             Progress tried = good, ignored;
             tried.clock = {good.time(), good.steps, dt};
-            watch.open(engine, tried, batch_seconds / dt, Watch::Nature::of(method, !d.limit.allows(dt)));
+            watch.open(engine, tried, batch_seconds / dt, Watch::Nature::of(method));
             if (replay.holds(tried, ignored, broken_at + 2.0 * batch_seconds) && !replay.abandoned()) {
                 d.safe_dt = dt;
                 break;

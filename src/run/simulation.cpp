@@ -156,7 +156,7 @@ private:
     static constexpr double calm = 2.0;  // s without energy created until a lowered step may grow again
 
     void open() {
-        auto nature = Watch::Nature::of(scene.time.method, !stable().allows(now.clock.dt));
+        auto nature = Watch::Nature::of(scene.time.method);
         if (automatic()) nature.dissipates = false;  // its step is too small for that
         watch.open(*engine, now, batch_seconds / now.clock.dt, nature);
     }
@@ -259,11 +259,9 @@ void Simulation::snapshot(Snapshot& into) const {
 Readings Simulation::readings() const {
     const double now = run_->now.time();
     const auto here = run_->engine->measure(now);
-    const auto& gravity = run_->engine->model().terms.get<Gravity>();
-    const glm::dvec3 g = gravity ? gravity->acceleration : glm::dvec3(0.0);
-    return {.kinetic_energy = here.kinetic,
+    return {.kinetic_energy = here.kinetic_now,
             .spring_energy = here.elastic,
-            .gravity_energy = -(g.x * here.moment.x + g.y * here.moment.y + g.z * here.moment.z),
+            .gravity_energy = run_->engine->model().potential(here.moment),
             .max_stretch = here.max_stretch,
             .mean_stretch = here.mean_stretch,
             .max_spring_force = here.max_force,

@@ -35,9 +35,20 @@ void Watch::open(Engine& engine, const Progress& now, double steps_a_batch, Natu
     *this = {};
     creates_ = nature.creates, dissipates_ = nature.dissipates;
     group_ = std::max(1LL, static_cast<long long>(std::ceil(steps_for_a_group / std::max(steps_a_batch, 1.0))));
-    energy_ = engine.measure(now.time()).total();
-    ledger_.open(now.time(), energy_);
-    taken_in_ = last_unrest_ = now.time();
+    look(engine, now);
+    ledger_.open(now.time(), energy_, potential_);
+    last_unrest_ = now.time();
+}
+
+/// What there is now; a new window begins.
+void Watch::look(Engine& engine, const Progress& now) {
+    const Measurement here = engine.measure(now.time());
+    energy_ = here.total();
+    potential_ = engine.model().potential(here.moment);
+    counted_ = {};
+    work_.clear(), external_.clear();
+    gross_ = 0.0;
+    taken_in_ = now.time();
     written_step_ = now.steps;
 }
 
@@ -60,31 +71,33 @@ double Watch::rounding_energy(const Engine& engine, long long steps) const {
 
 void Watch::take_in(double now, double dt) {
     const double times = (now - taken_in_) / dt;  // steps that the accounted one stands for
-    work_.push_back(times * counted_.all());
+    work_.push_back(times * counted_.lost());
     external_.push_back(times * counted_.external);
+    gross_ += times * counted_.gross();
     counted_ = {};
     taken_in_ = now;
 }
 
 void Watch::write(Engine& engine, const Progress& now) {
-    const double joules = engine.measure(now.time()).total();
+    const double before = energy_ + potential_;
     Estimate work = sum_of_samples(work_), came_in = sum_of_samples(external_);
     came_in.value = 0.0;
     for (const double in : external_) came_in.value += std::max(0.0, in);
-    Estimate made{joules - energy_ - work.value, work.variance};
+    const double rounding = rounding_energy(engine, now.steps - written_step_);
+    look(engine, now);
+    Estimate made{energy_ + potential_ - before - work.value, work.variance};
     if (made.value < 0.0 && !dissipates_) made = {};  // dampers that were missed
-    ledger_.add(now.time(), joules, came_in, made, rounding_energy(engine, now.steps - written_step_));
+    ledger_.add(now.time(), energy_, potential_, came_in, made, rounding);
     if (std::abs(ledger_.created_share()) > created_when_calm) last_unrest_ = now.time();
-    energy_ = joules;
-    work_.clear(), external_.clear();
-    written_step_ = now.steps;
 }
 
 void Watch::begin_batch(Engine& engine, const Progress& now) {
-    if (number_ % group_ == 0) {
-        const auto steps = static_cast<std::uint64_t>(now.next_batch() - now.steps);
-        accounted_ = now.steps + static_cast<long long>(mix(static_cast<std::uint64_t>(number_)) % steps);
-    }
+    // Any step of the group alike; again where another dt has moved the group's end on the way.
+    Progress end = now;
+    for (long long n = number_ % group_; n < group_; ++n) end.steps = end.next_batch();
+    if (number_ % group_ == 0 || accounted_ >= end.steps)
+        accounted_ = now.steps + static_cast<long long>(mix(static_cast<std::uint64_t>(number_)) %
+                                                        static_cast<std::uint64_t>(end.steps - now.steps));
     if (in_window() != 0 || warns()) return;  // a state to return to is good
     Saved& saved = saved_[static_cast<std::size_t>(next_)];
     saved = {now, ledger_, last_unrest_, number_};
@@ -98,22 +111,24 @@ void Watch::end_batch(Engine& engine, const Progress& now) {
     // Far beyond all there is: no need to wait for the window's end. (Velocities half a kick back swing by less.)
     constexpr double far_beyond = 10.0;
     const double kinetic = engine.kinetic();
-    const double all = ledger_.scale() + gross(work_) + gross(external_) + counted_so_far(now) +
-                       rounding_energy(engine, now.steps - written_step_);
+    const double all =
+        ledger_.scale() + gross_ + counted_so_far(now) + rounding_energy(engine, now.steps - written_step_);
     broken_ = !std::isfinite(kinetic) || kinetic > far_beyond * all;
     if (!broken_ && in_window() == 0) write(engine, now);
 }
 
 double Watch::counted_so_far(const Progress& now) const {
-    // Until its step has been accounted nothing is known of a group's work.
+    // Until its step has been accounted nothing is known of a group's work. From rest a constant force's work is that
+    // of the first step times the square of the number of steps.
     if (now.steps <= accounted_) return INFINITY;
-    return (now.time() - taken_in_) / now.clock.dt * (std::abs(counted_.external) + std::abs(counted_.damping));
+    const double steps = (now.time() - taken_in_) / now.clock.dt;
+    return steps * steps * counted_.gross();
 }
 
 void Watch::look_now(Engine& engine, const Progress& now) {
     if (now.steps == written_step_) return;
     Watch then = *this;
-    if (then.counted_.all() != 0.0) then.take_in(now.time(), now.clock.dt);
+    if (now.time() > then.taken_in_ && now.steps > then.accounted_) then.take_in(now.time(), now.clock.dt);
     if (!then.work_.empty() && now.time() - then.taken_in_ < 0.5 * batch_seconds) then.write(engine, now);
     broken_ = broken_ || then.ledger_.is_broken(creates_) || !std::isfinite(engine.kinetic());
 }
@@ -130,11 +145,7 @@ void Watch::return_to_good(Engine& engine, Progress& now) {
     number_ = newest->number;
     next_ = place;  // taken again when the window begins again
     broken_ = false;
-    counted_ = {};
-    work_.clear(), external_.clear();
-    taken_in_ = now.time();
-    written_step_ = now.steps;
-    energy_ = engine.measure(now.time()).total();
+    look(engine, now);
 }
 
 }  // namespace drapeau

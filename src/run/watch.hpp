@@ -36,15 +36,15 @@ class Watch {
 public:
     static constexpr int places = 2;  // of the engine that are used for states to return to
 
-    /// What a method does to energy by nature, or because the step is past its limit: what it creates is then judged by
-    /// the energy there is; what it may lose is looked for.
+    /// What a method does to energy by nature: what it creates is then judged by the energy there is; what it may lose
+    /// is looked for.
     struct Nature {
         bool creates = false, dissipates = false;
 
-        static Nature of(Method method, bool past_limit) {
+        static Nature of(Method method) {
             return with_method(method, [&](const auto& m) {
                 using M = std::decay_t<decltype(m)>;
-                return Nature{M::creates_energy || past_limit, M::dissipates_energy};
+                return Nature{M::creates_energy, M::dissipates_energy};
             });
         }
     };
@@ -84,20 +84,22 @@ private:
     long long in_window() const { return number_ % (window_ * group_); }
     void take_in(double now, double dt);
     double counted_so_far(const Progress& now) const;
+    void look(Engine& engine, const Progress& now);
     void write(Engine& engine, const Progress& now);
     double rounding_energy(const Engine& engine, long long steps) const;
 
     Ledger ledger_;
     bool creates_ = false, dissipates_ = false, broken_ = false;
-    long long number_ = 0;                 // batches since the ledger was opened
-    long long group_ = 1;                  // batches taken for one
-    long long accounted_ = no_step;        // the step of the group under way that is accounted
-    Work counted_;                         // in that step
-    double taken_in_ = 0.0;                // s, up to when its work was taken in
-    std::vector<double> external_, work_;  // J, estimates for each group since the ledger was last written
-    long long written_step_ = 0;           // when that was
-    double energy_ = 0.0;                  // J, then
-    double last_unrest_ = 0.0;             // s
+    long long number_ = 0;                   // batches since the ledger was opened
+    long long group_ = 1;                    // batches taken for one
+    long long accounted_ = no_step;          // the step of the group under way that is accounted
+    Work counted_;                           // in that step
+    double taken_in_ = 0.0;                  // s, up to when its work was taken in
+    std::vector<double> external_, work_;    // J, estimates for each group since the ledger was last written
+    double gross_ = 0.0;                     // J, of all work whatever its sign, since then
+    long long written_step_ = 0;             // when that was
+    double energy_ = 0.0, potential_ = 0.0;  // J, then
+    double last_unrest_ = 0.0;               // s
     std::array<Saved, places> saved_;
     int next_ = 0;
 };

@@ -71,7 +71,7 @@ void draw_flag_page(Session& session, PanelMemory& memory, Widgets& widgets) {
     choose(widgets, "Starts", flag.start, std::array{flat, hanging, crumpled}, origin.start,
            "How the flag begins after Restart: flat, hanging (at rest without wind) or crumpled.");
     widgets.slider(
-        "Prestretch", flag.prestretch, {.low = 0.0, .high = 0.5, .format = "%.0f %%", .shown_per_unit = 100.0},
+        "Prestretch", flag.prestretch, {.low = 0.0, .high = 50.0, .format = "%.0f %%", .shown_per_unit = 100.0},
         origin.prestretch,
         "The flag begins longer than at rest by this share, after Restart. More gives it more elastic energy.");
     choose_texture(session, memory, widgets);

@@ -58,7 +58,7 @@ void draw_message(Session& session, Widgets& widgets) {
     ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
     const auto& divergence = session.status.divergence;
-    if (divergence && divergence->safe_dt > 0.0) {
+    if (message.cause == Message::Cause::standstill && divergence && divergence->safe_dt > 0.0) {
         char tip[160];
         std::snprintf(tip, sizeof tip,
                       "Sets the step to %.3g ms, which was tried from the last good state and held, and goes on there.",

@@ -56,8 +56,10 @@ void show_stability(const Status& s, Widgets& widgets) {
             mood = bad;
         else if (share > close_to_limit && mood == calm)
             mood = close;
-        std::string text = share < 10.0 ? written("%.0f %%", 100.0 * share) : written("%.3g times", share);
-        widgets.gauge("Stability", share, mood, text + (energy.empty() ? " of the limit" : energy), tip);
+        const std::string text =
+            share < 10.0 ? written("%.0f %% of the limit", 100.0 * share) : written("%.3g times the limit", share);
+        widgets.gauge("Stability", share, mood, energy.empty() ? text : written("%.0f %%", 100.0 * share) + energy,
+                      tip);
     } else if (s.stability_limit.is_none()) {
         widgets.reading("Stability", "no stable step",
                         "With these settings this method gains energy whatever the step. More drag, friction or "

@@ -150,6 +150,20 @@ TEST_CASE_METHOD(StillFlag, "dragging a slider sets the grid and does not turn t
     app.check_healthy();
 }
 
+TEST_CASE_METHOD(StillFlag, "a slider's end in per cent is saved as that share") {
+    app.show("Prestretch");
+    const Box slider = app.look().controls.at("Prestretch").box;
+    app.drag(slider.at(0.1, 0.5), {slider.x1 + 40.0, slider.at(0.1, 0.5).y});
+    const Look look = app.wait_until(
+        "the end of the slider", [](const Look& now) { return std::stod(now.controls.at("Prestretch").value) > 49.9; });
+    CHECK(std::stod(look.controls.at("Prestretch").value) == 50.0);
+    app.click("Time");
+    app.type("Save as", folder / "stretched.toml");
+    app.wait_until("the file", [&](const Look&) { return std::filesystem::exists(folder / "stretched.toml"); });
+    CHECK(read_text(folder / "stretched.toml").find("prestretch = 0.5 ") != std::string::npos);
+    app.check_healthy();
+}
+
 TEST_CASE("the clock stops, goes on by steps, and begins anew") {
     const Screen screen;
     App app(screen, {"report", "--size", "900x640"});

@@ -20,6 +20,10 @@ struct Gravity {
         add(a.x, acceleration.x), add(a.y, acceleration.y), add(a.z, acceleration.z);
     }
 
+    double potential(const glm::dvec3& moment) const {
+        return -(acceleration.x * moment.x + acceleration.y * moment.y + acceleration.z * moment.z);
+    }
+
     bool operator==(const Gravity&) const = default;
 };
 

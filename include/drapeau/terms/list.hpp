@@ -1,4 +1,4 @@
-// The list of terms: scenes, the model, the programs and the benchmark follow it.
+// The list of terms: scenes, the model and the programs follow it.
 #pragma once
 
 #include "drapeau/terms/air_drag.hpp"
