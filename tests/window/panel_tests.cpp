@@ -157,7 +157,8 @@ TEST_CASE_METHOD(StillFlag, "a slider's end in per cent is saved as that share")
     const Look look = app.wait_until(
         "the end of the slider", [](const Look& now) { return std::stod(now.controls.at("Prestretch").value) > 49.9; });
     CHECK(std::stod(look.controls.at("Prestretch").value) == 50.0);
-    app.click("Time");
+    app.click("Page: Time");
+    app.show("Save as");
     app.type("Save as", folder / "stretched.toml");
     app.wait_until("the file", [&](const Look&) { return std::filesystem::exists(folder / "stretched.toml"); });
     CHECK(read_text(folder / "stretched.toml").find("prestretch = 0.5 ") != std::string::npos);
