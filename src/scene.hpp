@@ -22,7 +22,10 @@ struct FlagSettings {
     Attach attach = Attach::hoist;
     Start start = Start::flat;
     double prestretch = 0.0;  // share; 0.1 starts 10 % longer than rest in both directions
-    std::string texture;      // file name; the physics ignores it
+    // m, ripples that a flat flag begins with: with none (0) it stays in the plane of wind and gravity for ever.
+    // Absent: a nanometre where nothing pushes out of that plane, which grows if the plane is not stable.
+    std::optional<double> disturbance;
+    std::string texture;  // file name; the physics ignores it
 
     bool operator==(const FlagSettings&) const = default;
 };
@@ -78,7 +81,7 @@ struct Scene {
 
 /// The model that a scene describes.
 inline Model model_of(const Scene& scene) {
-    const auto& [columns, rows, width, height, attach, start, prestretch, texture] = scene.flag;
+    const auto& [columns, rows, width, height, attach, start, prestretch, disturbance, texture] = scene.flag;
     const SpringSettings& s = scene.springs;
     Terms terms = scene.terms;
     if (s.drag) terms.add(AirDrag{*s.drag});

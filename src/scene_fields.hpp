@@ -20,8 +20,8 @@
 namespace drapeau::scene_fields {
 
 /// Names of the values of an enumeration, in the enumeration's own order.
-inline constexpr std::array<std::string_view, 7> attach_names{"hoist", "grommets", "top", "corner",
-                                                              "edges", "all",      "none"};
+inline constexpr std::array<std::string_view, 8> attach_names{"hoist", "grommets", "top", "corner",
+                                                              "sides", "edges",    "all", "none"};
 inline constexpr std::array<std::string_view, 3> start_names{"flat", "hanging", "crumpled"};
 inline constexpr auto method_names = []<std::size_t... n>(std::index_sequence<n...>) {
     return std::array<std::string_view, method_count>{std::tuple_element_t<n, Methods>::name...};
@@ -79,9 +79,11 @@ inline constexpr std::tuple flag_keys{
     Key{"rows", &FlagSettings::rows, "masses along the hoist, down the pole", Range{1, 4096}},
     Key{"width", &FlagSettings::width, "m, along the fly", Range{1e-3, 1e3}},
     Key{"height", &FlagSettings::height, "m, along the hoist", Range{1e-3, 1e3}},
-    Key{"attach", &FlagSettings::attach, "hoist, grommets (the two hoist corners), top, corner, edges, all or none"},
+    Key{"attach", &FlagSettings::attach,
+        "hoist, grommets (the two hoist corners), top, corner, sides (hoist and fly), edges, all or none"},
     Key{"start", &FlagSettings::start, "flat, hanging (settled without wind) or crumpled"},
     Key{"prestretch", &FlagSettings::prestretch, "share; 0.1 starts 10 % longer than rest", Range{-0.9, 10}},
+    Key{"disturbance", &FlagSettings::disturbance, "m, ripples of a flat start; 0 keeps it in its plane", Range{0, 1}},
     Key{"texture", &FlagSettings::texture, "picture, beside this file or in assets/flags"},
 };
 

@@ -1,5 +1,7 @@
 #include "text.hpp"
 
+#include <cstdio>
+#include <iterator>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -69,6 +71,27 @@ std::string rounded(double value, int digits) {
     const int power = static_cast<int>(std::floor(std::log10(magnitude)));
     if (power < -6 || power > 15) return as_chars(value, std::chars_format::scientific, digits - 1);
     return as_chars(value, std::chars_format::fixed, std::max(0, digits - 1 - power));
+}
+
+std::string quantity(double value, std::string_view unit, int digits) {
+    struct Prefix {
+        const char* text;
+        double factor;
+    };
+    constexpr Prefix prefixes[] = {{"G", 1e9},  {"M", 1e6},         {"k", 1e3}, {"", 1.0},
+                                   {"m", 1e-3}, {"\xc2\xb5", 1e-6}, {"n", 1e-9}};
+    char text[40];
+    const char* prefix = "";
+    double factor = 1.0;
+    if (std::isfinite(value) && value != 0.0) {
+        // Half a unit in the last digit shown must not make "1000 ms" of 0.99999 s.
+        const double size = std::abs(value) * (1.0 + 0.5 * std::pow(10.0, -digits));
+        const auto* fits = std::find_if(std::begin(prefixes), std::end(prefixes) - 1,
+                                        [&](const Prefix& p) { return size >= p.factor; });
+        prefix = fits->text, factor = fits->factor;
+    }
+    std::snprintf(text, sizeof text, "%.*g", digits, value / factor);
+    return text + (" " + std::string(prefix)) + std::string(unit);
 }
 
 std::optional<double> number_in(std::string_view text) {

@@ -16,6 +16,9 @@ std::string shortest(float value);
 /// A number for a person, with that many significant digits and no exponent where it can be helped: "0.0123", "1350".
 std::string rounded(double value, int digits);
 
+/// A quantity for a person, in the multiple of its unit that suits its size: "84.1 ns", "201 µs", "86.2 kJ".
+std::string quantity(double value, std::string_view unit, int digits = 3);
+
 /// The whole text as one finite number; nothing if it is not one.
 std::optional<double> number_in(std::string_view text);
 

@@ -90,8 +90,8 @@ TEST_CASE("Every way to attach a flag holds the masses it says", "[physics]") {
     const Grid grid{4, 3, 0.1, 0.1};
     const std::pair<Attach, std::string> patterns[] = {
         {Attach::hoist, "#...#...#..."},  {Attach::grommets, "#.......#..."}, {Attach::top, "####........"},
-        {Attach::corner, "#..........."}, {Attach::edges, "#####..#####"},    {Attach::all, "############"},
-        {Attach::none, "............"}};
+        {Attach::corner, "#..........."}, {Attach::sides, "#..##..##..#"},    {Attach::edges, "#####..#####"},
+        {Attach::all, "############"},    {Attach::none, "............"}};
     for (const auto& [attach, pattern] : patterns) {
         const Model model(grid, springs_of[3], attach);
         std::string held;

@@ -343,7 +343,7 @@ TEST_CASE("a bad command line is refused in one line") {
     bench.write("light.toml", light);
     check_refused(bench.run("run light.toml --seconds 1"), "--seconds = 1: about");
     check_refused(bench.run("run light.toml --seconds 1"), "--force");
-    check_refused(bench.run("run light.toml --seconds 1000 --dt 1e-9 --method leapfrog"), "--force");
+    check_refused(bench.run("run light.toml --seconds 1000 --dt 1e-9 --method leapfrog --precision double"), "--force");
     // What a stretch limit needs is known only on the way: the run ends after a few seconds.
     bench.write("limited.toml",
                 "[flag]\ncolumns = 120\nrows = 80\nwidth = 1.5\nheight = 1\n[springs]\nmass = 0.001\nstiffness = 2\n"

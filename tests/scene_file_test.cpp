@@ -74,9 +74,10 @@ public:
                       .rows = whole(2, 400),
                       .width = positive(1e-3, 1e3),
                       .height = positive(1e-3, 1e3),
-                      .attach = static_cast<Attach>(whole(0, 6)),
+                      .attach = static_cast<Attach>(whole(0, 7)),
                       .start = static_cast<Start>(whole(0, 2)),
                       .prestretch = number(-0.9, 10.0),
+                      .disturbance = coin() ? std::optional(positive(1e-9, 1.0)) : std::nullopt,
                       .texture = text()};
         scene.springs = {.mass = positive(1e-9, 1e3),
                          .stiffness = positive(1e-9, 1e9),
@@ -191,6 +192,7 @@ TEST_CASE("every key of the format is read") {
         height = 0.5
         attach = "grommets"
         start = "crumpled"
+        disturbance = 0.02
         prestretch = 0.1
         texture = "a.png"
         [springs]
@@ -224,7 +226,7 @@ TEST_CASE("every key of the format is read") {
                                     "all.toml");
     Scene expected;
     expected.name = "All";
-    expected.flag = {3, 4, 2.0, 0.5, Attach::grommets, Start::crumpled, 0.1, "a.png"};
+    expected.flag = {3, 4, 2.0, 0.5, Attach::grommets, Start::crumpled, 0.1, 0.02, "a.png"};
     expected.springs = {1e-3, 30.0, 15.0, 0.1, 0.2, 0.3};
     expected.gravity() = Gravity{{1.0, -2.5, 3.0}};
     expected.wind() = Wind{{4.0, 5.0, 6.0}, {0.1, 0.2, 0.3}, 7.0, true, 8};
@@ -251,7 +253,8 @@ TEST_CASE("an impossible value is named with its file, line, key and what is all
         {"flag.width = 0", "flag.width = 0", "from 0.001 to 1000"},
         {"flag.width = nan", "flag.width = nan", "from 0.001 to 1000"},
         {"flag.height = inf", "flag.height = inf", "from 0.001 to 1000"},
-        {"flag.attach = \"roof\"", "flag.attach = \"roof\"", "\"hoist\", \"grommets\", \"top\", \"corner\", \"edges\""},
+        {"flag.attach = \"roof\"", "flag.attach = \"roof\"",
+         "\"hoist\", \"grommets\", \"top\", \"corner\", \"sides\", \"edges\""},
         {"flag.start = true", "flag.start = true", "\"flat\", \"hanging\" or \"crumpled\""},
         {"flag.prestretch = -1", "flag.prestretch = -1", "from -0.9 to 10"},
         {"flag.texture = 3", "flag.texture = 3", "text"},

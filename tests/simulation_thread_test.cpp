@@ -234,6 +234,7 @@ TEST_CASE("a change while a batch runs is taken before the next") {
 TEST_CASE("a thread ends promptly in the middle of a batch that takes minutes") {
     Scene slow = large();
     slow.time.dt = 1e-8;
+    slow.time.precision = Precision::double_precision;
     auto thread = std::make_unique<SimulationThread>(Simulation(slow));
     thread->ask_batches(1000);
     std::this_thread::sleep_for(50ms);

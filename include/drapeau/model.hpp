@@ -14,7 +14,7 @@
 namespace drapeau {
 
 /// Which masses are held where they are.
-enum class Attach { hoist, grommets, top, corner, edges, all, none };
+enum class Attach { hoist, grommets, top, corner, sides, edges, all, none };
 
 inline namespace DRAPEAU_ISA {
 
@@ -30,6 +30,8 @@ inline bool is_attached(Attach attach, const Grid& grid, int i, int j) {
             return top;
         case Attach::corner:
             return hoist && top;
+        case Attach::sides:
+            return hoist || i == grid.columns - 1;
         case Attach::edges:
             return hoist || top || bottom || i == grid.columns - 1;
         case Attach::all:

@@ -104,7 +104,7 @@ void check_duration(const Scene& scene, const Simulation& simulation, double sec
     const double estimate = steps * passes * std::max(masses / mass_steps_a_second, 1.0 / steps_a_second);
     if (estimate <= longest_run) return;
     throw InputError("--seconds = " + shortest(seconds) + ": about " + rounded(estimate / 3600.0, 2) + " h for " +
-                     rounded(steps, 3) + " steps of " + in_words(simulation.dt()) + " and " + rounded(masses, 3) +
+                     rounded(steps, 3) + " steps of " + quantity(simulation.dt(), "s") + " and " + rounded(masses, 3) +
                      " masses, more than " + rounded(longest_run / 3600.0, 2) + " h; --force runs it");
 }
 
@@ -161,7 +161,7 @@ std::string state_number(double value, Precision precision) {
 
 void write_state(const std::string& file, const Simulation& simulation) {
     const FlagSettings& flag = simulation.scene().flag;
-    const Precision precision = simulation.scene().time.precision;
+    const Precision precision = simulation.precision();
     const State<double> state = simulation.state();
     write_text_file(file, [&](const Append& append) {
         append("column,row,x,y,z,vx,vy,vz\n");
@@ -232,7 +232,7 @@ std::vector<Result> results_of(const Simulation& simulation, int threads, const 
     number("rows", flag.rows, "", "");
     text("modelled", modelled(model_of(scene)), "modelled");
     text("method", name_of(scene.time.method), "method");
-    text("precision", name_of(scene.time.precision), "precision");
+    text("precision", name_of(simulation.precision()), "precision");
     number("threads", threads, "threads", std::to_string(threads));
     measure("time_s", time, "time simulated", "s");
     number("steps", static_cast<double>(simulation.steps()), "steps", std::to_string(simulation.steps()));
@@ -326,6 +326,8 @@ int run(const RunOptions& options) {
     const auto divergence = carry_out(plan, simulation, cost, options.force);
     const auto results = results_of(simulation, threads, cost, divergence);
     write_results(options, results);
+    if (const std::string remark = simulation.precision_remark(); !remark.empty())
+        std::fprintf(stderr, "drapeau-lab: %s\n", remark.c_str());
     if (divergence) {
         std::fprintf(stderr, "drapeau-lab: %s\n", divergence->message.c_str());
         return exit_diverged;

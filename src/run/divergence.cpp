@@ -1,6 +1,7 @@
 #include "run/divergence.hpp"
 
 #include "scene_file.hpp"
+#include "text.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -53,7 +54,7 @@ std::pair<int, int> worst(const State<double>& state) {
 
 std::string cause_and_remedy(Method method, const Divergence& d) {
     const std::string name(name_of(method));
-    const std::string remedy = d.safe_dt > 0.0 ? "a step of " + in_words(d.safe_dt) + " holds"
+    const std::string remedy = d.safe_dt > 0.0 ? "a step of " + quantity(d.safe_dt, "s") + " holds"
                                : method == method_id<ForwardEuler>
                                    ? "semi-implicit-euler takes far larger ones"
                                    : "choose dt \"auto\", more drag or damping, or weaker wind or springs";
@@ -61,14 +62,16 @@ std::string cause_and_remedy(Method method, const Divergence& d) {
         case Divergence::Cause::past_the_limit:
             if (d.limit.is_none())
                 return name + " has no stable step without drag or friction: choose semi-implicit-euler";
-            return "the step " + in_words(d.dt) + " is above the stability limit " + in_words(d.limit.seconds()) +
-                   " of " + name + " for these springs and this damping; " + remedy;
+            return "the step " + quantity(d.dt, "s") + " is above the stability limit " +
+                   quantity(d.limit.seconds(), "s") + " of " + name + " for these springs and this damping; " + remedy;
         case Divergence::Cause::energy_created:
-            return "the step " + in_words(d.dt) + " is within the stability limit " + in_words(d.limit.seconds()) +
-                   " of " + name + ", but the motion is so violent that the method creates energy; " + remedy;
+            return "the step " + quantity(d.dt, "s") + " is within the stability limit " +
+                   quantity(d.limit.seconds(), "s") + " of " + name +
+                   ", but the motion is so violent that the method creates energy; " + remedy;
         case Divergence::Cause::energy_lost:
-            return "the step " + in_words(d.dt) + " is within the stability limit " + in_words(d.limit.seconds()) +
-                   " of " + name + ", but too large for it to keep the energy of this motion; " + remedy;
+            return "the step " + quantity(d.dt, "s") + " is within the stability limit " +
+                   quantity(d.limit.seconds(), "s") + " of " + name +
+                   ", but too large for it to keep the energy of this motion; " + remedy;
         case Divergence::Cause::beyond_precision:
             break;
     }
@@ -76,15 +79,6 @@ std::string cause_and_remedy(Method method, const Divergence& d) {
 }
 
 }  // namespace
-
-std::string in_words(double seconds) {
-    const double size = std::abs(seconds);
-    const char* unit = size >= 1.0 ? "s" : size >= 1e-3 ? "ms" : size >= 1e-6 ? "us" : "ns";
-    const double scale = size >= 1.0 ? 1.0 : size >= 1e-3 ? 1e3 : size >= 1e-6 ? 1e6 : 1e9;
-    char text[48];
-    std::snprintf(text, sizeof text, "%.3g %s", seconds * scale, unit);
-    return text;
-}
 
 Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const Progress& good, double broken_at,
                               const std::atomic<bool>* abandon) {

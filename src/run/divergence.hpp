@@ -12,7 +12,4 @@ namespace drapeau {
 Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const Progress& good, double broken_at,
                               const std::atomic<bool>* abandon);
 
-/// "0.35 ms", "1.2 s": a time for a sentence.
-std::string in_words(double seconds);
-
 }  // namespace drapeau

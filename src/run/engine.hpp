@@ -6,6 +6,7 @@
 #include "scene.hpp"
 
 #include <atomic>
+#include <cmath>
 #include <memory>
 
 namespace drapeau {
@@ -31,6 +32,13 @@ public:
     virtual double kinetic() = 0;           // J, of the velocities stored
     virtual double epsilon() const = 0;     // of the precision
     virtual glm::dvec3 corner() const = 0;  // m, where mass (0, 0) is
+    /// How far from the origin (m) masses are at most, as long as no spring is much longer than at rest.
+    double reach() const {
+        const Grid& grid = model().grid;
+        const auto far = corner();
+        return std::hypot(grid.columns * grid.pitch_x, grid.rows * grid.pitch_y) +
+               std::sqrt(far.x * far.x + far.y * far.y + far.z * far.z);
+    }
 
     /// Position and velocity at the same time.
     virtual State<double> state(double now) = 0;

@@ -5,6 +5,9 @@
 #include "run/start_state.hpp"
 #include "run/watch.hpp"
 #include "scene_file.hpp"
+#include "text.hpp"
+
+#include "drapeau/precision.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -37,15 +40,33 @@ double chosen_step(const Scene& scene, const Model& model, bool exact, double lo
     std::snprintf(line, sizeof line,
                   "time.dt = \"auto\": %s has no stable step without drag or friction; "
                   "for a step of %s their sum must exceed %.3g N s/m, or choose semi-implicit-euler",
-                  std::string(name_of(scene.time.method)).c_str(), in_words(wanted).c_str(),
+                  std::string(name_of(scene.time.method)).c_str(), quantity(wanted, "s").c_str(),
                   damping_needed(model, wanted));
     throw InputError(line);
+}
+
+/// The precision a run begins in: the scene's, or double where float could not honour an automatic step. Throws
+/// InputError where a given step leaves nothing of the motion in float.
+Precision chosen_precision(const Scene& scene, const Model& model, double dt) {
+    if (scene.time.precision == Precision::double_precision) return Precision::double_precision;
+    const Grid& grid = model.grid;
+    const double size = std::hypot(grid.columns * grid.pitch_x, grid.rows * grid.pitch_y);
+    const double honest = smallest_float_step(model, size);
+    if (dt >= honest) return Precision::single_precision;
+    if (!scene.time.dt) return Precision::double_precision;
+    if (dt >= hopeless_float_step * honest) return Precision::single_precision;
+    const double smallest = hopeless_float_step * honest;
+    const bool has_larger = smallest < batch_seconds;
+    throw InputError("time.dt = " + shortest(*scene.time.dt) + ": in float nothing is left of so slow a motion" +
+                     (has_larger ? " at steps below " + quantity(smallest, "s") : "") +
+                     "; give time.precision = \"double\"" + (has_larger ? " or larger steps" : ""));
 }
 
 }  // namespace
 
 struct Simulation::Run {
     Scene scene;
+    Precision precision;  // in use
     std::unique_ptr<Engine> engine;
     Progress now;
     Watch watch;
@@ -58,9 +79,10 @@ struct Simulation::Run {
     long long readings_batches = 0;  // batches since then
 
     Run(const Scene& wanted, const State<double>& state, double time, long long steps, bool exact_dt)
-        : scene(wanted),
-          engine(make_engine(model_of(wanted), wanted.time.method, wanted.time.precision)),
-          exact(exact_dt) {
+        : scene(wanted), exact(exact_dt) {
+        const Model model = model_of(wanted);
+        precision = chosen_precision(wanted, model, chosen_step(wanted, model, exact, 1.0));
+        engine = make_engine(model, wanted.time.method, precision);
         engine->set(state);
         restart_clock(time, steps);
     }
@@ -80,7 +102,9 @@ struct Simulation::Run {
     /// Other strengths.
     void refill(const Scene& wanted) {
         const Model model = model_of(wanted);
-        chosen_step(wanted, model, exact, 1.0);  // throws before anything is changed
+        // Throws before anything is changed.
+        const Precision wanted_precision = chosen_precision(wanted, model, chosen_step(wanted, model, exact, 1.0));
+        if (wanted_precision != precision) use_precision(wanted_precision);
         engine->synchronise(now.time());
         engine->refill(model);
         scene = wanted;
@@ -113,6 +137,10 @@ struct Simulation::Run {
             watch.end_batch(*engine, now);
             in_batch_ = 0;
             ++readings_batches;
+            if (++batches_ % batches_between_looks == 0 && automatic() && float_resolves_too_little()) {
+                use_precision(Precision::double_precision);
+                restart_clock(now.time(), now.steps);
+            }
             if (automatic() ? watch.warns() : watch.is_broken()) {
                 const double broken_at = now.time();
                 watch.return_to_good(*engine, now);
@@ -143,6 +171,12 @@ struct Simulation::Run {
         threads = count;
     }
 
+    /// Whether the step is one that float does not honour, where the masses are now.
+    bool float_resolves_too_little() const {
+        return precision == Precision::single_precision &&
+               now.clock.dt < smallest_float_step(engine->model(), engine->reach());
+    }
+
     /// How many batches go by between two readings for the picture, so that they cost a hundredth of the steps, or a
     /// little more where a second has few.
     long long batches_between_readings() const {
@@ -152,6 +186,7 @@ struct Simulation::Run {
     static constexpr long long max_batches = 60;
 
 private:
+    static constexpr long long batches_between_looks = 60;
     static constexpr double smallest_lowered = 1e-3;
     static constexpr double calm = 2.0;  // s without energy created until a lowered step may grow again
 
@@ -159,6 +194,15 @@ private:
         auto nature = Watch::Nature::of(scene.time.method);
         if (automatic()) nature.dissipates = false;  // its step is too small for that
         watch.open(*engine, now, batch_seconds / now.clock.dt, nature);
+    }
+
+    /// The same masses in another precision; a new clock must follow.
+    void use_precision(Precision wanted) {
+        auto next = make_engine(engine->model(), scene.time.method, wanted);
+        next->use_threads(threads);
+        next->set(engine->state(now.time()));
+        engine = std::move(next);
+        precision = wanted;
     }
 
     /// Another share of the usual automatic step from now on.
@@ -170,6 +214,7 @@ private:
         now.clock = {now.time(), now.steps, dt};
     }
 
+    long long batches_ = 0;    // since the run began
     long long in_batch_ = 0;   // steps of the batch under way that are done
     long long batch_end_ = 0;  // its end
 };
@@ -248,6 +293,20 @@ std::string Simulation::lowered_because() const {
                   "create energy",
                   100.0 * run_->lowered);
     return line;
+}
+
+Precision Simulation::precision() const {
+    return run_->precision;
+}
+
+std::string Simulation::precision_remark() const {
+    const Run& run = *run_;
+    if (run.precision != run.scene.time.precision)
+        return "computed in double: float cannot honour steps of " + quantity(run.now.clock.dt, "s") + " in this scene";
+    if (!run.float_resolves_too_little()) return "";
+    const double unit = 0x1p-24 * run.engine->reach() / run.now.clock.dt;
+    return "at steps of " + quantity(run.now.clock.dt, "s") + " float knows velocities to " + quantity(unit, "m/s", 2) +
+           " only, and masses move too far or not at all: choose double";
 }
 
 void Simulation::snapshot(Snapshot& into) const {

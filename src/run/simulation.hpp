@@ -92,6 +92,10 @@ public:
     /// Why an automatic step is smaller than its usual share of the bound; empty where it is not.
     std::string lowered_because() const;
 
+    Precision precision() const;  // in use: double where float could not honour an automatic step
+    /// Why that is not the scene's, or how little of the motion float honours at a given step; empty where all is well.
+    std::string precision_remark() const;
+
     void snapshot(Snapshot& into) const;
     Readings readings() const;
     /// Those of at most a few batches ago, so that they cost a hundredth of the steps.

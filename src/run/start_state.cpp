@@ -1,5 +1,6 @@
 #include "run/start_state.hpp"
 
+#include "drapeau/precision.hpp"
 #include "drapeau/stability.hpp"
 #include "drapeau/start.hpp"
 
@@ -84,6 +85,19 @@ State<double> settled(const Scene& scene, const State<double>& start) {
     return rest;
 }
 
+/// A flag exactly in its plane would stay in it: the lightest of folds, `size` high (m), let it choose a side.
+void ripple(State<double>& state, const Model& model, double size) {
+    const Grid& grid = model.grid;
+    if (size == 0.0) return;
+    for (int j = 0; j < grid.rows; ++j)
+        for (int i = 0; i < grid.columns; ++i)
+            if (!model.held(i, j)) {
+                auto x = state.position.at(i, j);
+                x.z += size * smooth_noise(crumple_seed, 103, 5.0 * i * grid.pitch_x + 0.37 * j);
+                state.position.set(i, j, x);
+            }
+}
+
 }  // namespace
 
 State<double> start_state(const Scene& scene) {
@@ -92,17 +106,15 @@ State<double> start_state(const Scene& scene) {
     const double prestretch = scene.flag.prestretch;
     auto state = scene.flag.start == Start::crumpled ? crumpled_start(model, prestretch, crumple_seed)
                                                      : flat_start(grid, prestretch);
+    if (scene.flag.start == Start::flat) {
+        constexpr double unseen = 1e-9;  // m
+        const bool in_plane = grid.columns > 1 && grid.rows > 1 && !is_pushed_across(model);
+        ripple(state, model, scene.flag.disturbance.value_or(in_plane ? unseen : 0.0));
+    }
     const bool can_hang = scene.gravity() && scene.flag.attach != Attach::none;  // otherwise it would fall for ever
     if (scene.flag.start != Start::hanging || !can_hang) return state;
 
-    // A flag exactly in its plane would stay in it: the lightest of folds lets it choose a side.
-    for (int j = 0; j < grid.rows; ++j)
-        for (int i = 0; i < grid.columns; ++i)
-            if (!model.held(i, j)) {
-                auto x = state.position.at(i, j);
-                x.z += 0.02 * grid.pitch_x * smooth_noise(crumple_seed, 103, 5.0 * i * grid.pitch_x + 0.37 * j);
-                state.position.set(i, j, x);
-            }
+    ripple(state, model, 0.02 * grid.pitch_x);
     return settled(scene, state);
 }
 

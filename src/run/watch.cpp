@@ -62,11 +62,9 @@ double Watch::rounding_energy(const Engine& engine, long long steps) const {
     // k eps X for each spring, and energy walks up by (dt k eps X)^2 / 2m, at most k (eps X)^2 for a stable step.
     const Model& model = engine.model();
     const double eps = engine.epsilon();
-    const auto far = engine.corner();
-    const double size = std::hypot(model.grid.columns * model.grid.pitch_x, model.grid.rows * model.grid.pitch_y) +
-                        std::sqrt(far.x * far.x + far.y * far.y + far.z * far.z);
     const double k = std::max(model.springs.stiffness, model.springs.diagonal_stiffness.value_or(0.0));
-    return static_cast<double>(steps) * static_cast<double>(model.springs_in_all()) * k * std::pow(2.0 * eps * size, 2);
+    return static_cast<double>(steps) * static_cast<double>(model.springs_in_all()) * k *
+           std::pow(2.0 * eps * engine.reach(), 2);
 }
 
 void Watch::take_in(double now, double dt) {

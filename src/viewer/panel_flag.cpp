@@ -65,8 +65,8 @@ void draw_flag_page(Session& session, PanelMemory& memory, Widgets& widgets) {
     widgets.slider("Height", flag.height, {.low = 0.1, .high = 5.0, .format = "%.2f m"}, origin.height,
                    "Length along the hoist at rest. A higher flag has longer springs, not more of them.");
     using enum Attach;
-    choose(widgets, "Held by", flag.attach, std::array{hoist, grommets, top, corner, edges, all, none}, origin.attach,
-           "Which masses are held in place.");
+    choose(widgets, "Held by", flag.attach, std::array{hoist, grommets, top, corner, sides, edges, all, none},
+           origin.attach, "Which masses are held in place.");
     using enum Start;
     choose(widgets, "Starts", flag.start, std::array{flat, hanging, crumpled}, origin.start,
            "How the flag begins after Restart: flat, hanging (at rest without wind) or crumpled.");
@@ -74,6 +74,13 @@ void draw_flag_page(Session& session, PanelMemory& memory, Widgets& widgets) {
         "Prestretch", flag.prestretch, {.low = 0.0, .high = 50.0, .format = "%.0f %%", .shown_per_unit = 100.0},
         origin.prestretch,
         "The flag begins longer than at rest by this share, after Restart. More gives it more elastic energy.");
+    double disturbance = flag.disturbance.value_or(0.0);
+    if (widgets.slider("Disturbance", disturbance,
+                       {.low = 0.0, .high = 50.0, .format = "%.3g mm", .shown_per_unit = 1000.0},
+                       origin.disturbance.value_or(0.0),
+                       "Ripples that a flat flag begins with, after Restart. Without any (0) it stays in its plane for "
+                       "ever, unless something pushes it out."))
+        flag.disturbance = disturbance;
     choose_texture(session, memory, widgets);
     widgets.toggle("Shaped like its image", shaped, "The width follows from the height and the image's proportions.");
 }

@@ -1,12 +1,16 @@
 // What the run does, in numbers with units. Readings of the wall clock show a dash where pictures must repeat.
 #include "panels.hpp"
 
+#include "text.hpp"
+
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 namespace drapeau {
 
@@ -32,11 +36,43 @@ std::string pace_of(const Session& session) {
 }
 
 std::string joules(double energy) {
-    return std::abs(energy) < 100.0 ? written("%.3f J", energy) : written("%.4g J", energy);
+    return std::abs(energy) < 100.0 ? written("%.3f J", energy) : quantity(energy, "J");
 }
 
-bool tells_lowered(const Status& s) {
-    return !s.lowered_because.empty() && !s.stands();
+std::string per_cent(double share, const char* format) {
+    return share < 100.0 ? written(format, 100.0 * share) : written("%.3g times", share);
+}
+
+/// What a person should know besides the numbers.
+struct Remark {
+    const char* label;
+    std::string text;
+    const char* tip;
+};
+
+std::vector<Remark> remarks_on(const Session& session) {
+    const Status& s = session.status;
+    std::vector<Remark> remarks;
+    if (s.stands()) return remarks;
+    if (!s.lowered_because.empty())
+        remarks.push_back({"Lowered step", as_sentence(s.lowered_because),
+                           "The automatic step is smaller than usual for as long as the method would create energy "
+                           "with a larger one. Smaller steps take more time."});
+    if (!s.precision_remark.empty())
+        remarks.push_back({"Precision remark", as_sentence(s.precision_remark),
+                           "A float holds about seven digits of a position. A step so small that a mass moves by less "
+                           "than the last of them loses the motion."});
+    constexpr double slow = 3.0;
+    if (s.clock && s.times_slower() > slow) {
+        const bool forward = session.scene.time.method == method_id<ForwardEuler>;
+        remarks.push_back({"Slow",
+                           quantity(s.dt, "s") + " steps: " + written("%.2g", s.times_slower()) +
+                               " times slower than real time. " +
+                               (forward ? "Semi-implicit-euler takes far larger ones."
+                                        : "A coarser grid, softer springs or more mass allow larger steps."),
+                           "Every step is computed; simulated time passes more slowly than the clock."});
+    }
+    return remarks;
 }
 
 // The step against the closed bound, coloured by what the method does to the energy too.
@@ -68,10 +104,6 @@ void show_stability(const Status& s, Widgets& widgets) {
     } else {
         widgets.reading("Stability", "any step is stable" + energy, tip, mood);
     }
-    if (tells_lowered(s))
-        widgets.remark("Lowered step", as_sentence(s.lowered_because),
-                       "The automatic step is smaller than usual for as long as the method would create energy with a "
-                       "larger one. Smaller steps take more time.");
 }
 
 void show_limit(const PassReport& did, double limit, Widgets& widgets) {
@@ -95,11 +127,9 @@ float readings_height(const Session& session) {
     float lines = 7.6f;
     if (session.status.limit) lines += 1.0f;
     float height = lines * ImGui::GetTextLineHeightWithSpacing();
-    if (tells_lowered(session.status)) {
-        const std::string remark = as_sentence(session.status.lowered_because);
-        height += ImGui::CalcTextSize(remark.c_str(), nullptr, false, ImGui::GetContentRegionAvail().x).y +
+    for (const Remark& remark : remarks_on(session))
+        height += ImGui::CalcTextSize(remark.text.c_str(), nullptr, false, ImGui::GetContentRegionAvail().x).y +
                   ImGui::GetStyle().ItemSpacing.y;
-    }
     return height;
 }
 
@@ -108,13 +138,13 @@ void draw_readings(const Session& session, Widgets& widgets) {
     widgets.reading("Time", written("%.2f s   ", s.time) + pace_of(session),
                     "Simulated time, and how fast it passes against the wall clock. Below 1 the computer cannot keep "
                     "up: the flag moves slower, but no step is skipped.");
-    widgets.reading("Step", s.dt > 0.0 ? written("%.4g ms,  %lld per frame", 1000.0 * s.dt, s.steps_per_batch) : none,
+    widgets.reading("Step", s.dt > 0.0 ? quantity(s.dt, "s") + written(",  %lld per frame", s.steps_per_batch) : none,
                     "The step in use. A frame is 1/60 s of simulated time.");
     show_stability(s, widgets);
-    widgets.reading("Work",
-                    s.clock ? written("%.3g ms a step", 1000.0 * s.step_seconds) : std::string(none) + " ms a step",
+    for (const Remark& remark : remarks_on(session)) widgets.remark(remark.label, remark.text, remark.tip);
+    widgets.reading("Work", (s.clock ? quantity(s.step_seconds, "s") : std::string(none)) + " a step",
                     "Wall-clock time of one step.");
-    widgets.reading("Frame", s.clock ? written("%.1f ms", 1000.0 * s.frame_seconds) : std::string(none) + " ms",
+    widgets.reading("Frame", s.clock ? quantity(s.frame_seconds, "s") : std::string(none),
                     "Wall-clock time from picture to picture.");
     const Readings& r = s.readings;
     const double total = r.kinetic_energy + r.spring_energy + r.gravity_energy;
@@ -122,7 +152,7 @@ void draw_readings(const Session& session, Widgets& widgets) {
         "Energy", joules(total) + ",  kinetic " + joules(r.kinetic_energy),
         "Total energy: kinetic, elastic, gravitational (zero at the flag's top); and kinetic energy alone.");
     widgets.reading(
-        "Stretch", written("max %.1f %%,  mean %.2f %%", 100.0 * r.max_stretch, 100.0 * r.mean_stretch),
+        "Stretch", "max " + per_cent(r.max_stretch, "%.1f %%") + ",  mean " + per_cent(r.mean_stretch, "%.2f %%"),
         "How much longer the longest spring is than at rest, and the mean change of length of all springs.");
     if (s.limit) show_limit(r.limit, s.limit->stretch, widgets);
 }

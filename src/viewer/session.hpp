@@ -45,6 +45,7 @@ struct Status {
     long long steps_per_batch = 0;
     StableStep stability_limit;
     std::string lowered_because;        // why an automatic step is smaller than usual; empty where it is not
+    std::string precision_remark;       // what float cannot honour; empty where all is well
     std::optional<StretchLimit> limit;  // of the scene that runs
     double force_scale = 1.0;           // N
     bool clock = true;                  // false: wall-clock readings are not shown, so that pictures repeat
@@ -54,6 +55,8 @@ struct Status {
     double flag_proportions = 0.0;  // of the texture, width / height; 0 without one
 
     bool stands() const { return divergence || !failure.empty(); }
+    /// Wall-clock time over simulated time, if steps followed each other without rest.
+    double times_slower() const { return step_seconds * static_cast<double>(steps_per_batch) / batch_seconds; }
 };
 
 struct Session {

@@ -208,6 +208,7 @@ void SimulationThread::publish(bool fresh) {
     now_.steps_per_batch = simulation_.steps_per_batch();
     now_.stability_limit = simulation_.stability_limit();
     now_.lowered_because = simulation_.lowered_because();
+    now_.precision_remark = simulation_.precision_remark();
     now_.kinds = kinds_of(simulation_.model());
     Moment moment = now_;
     const std::lock_guard lock(mutex_);

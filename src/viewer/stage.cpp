@@ -74,6 +74,10 @@ Stage stage_of(const FlagSettings& flag) {
         case Attach::top:
             add_gallows(stage, e, radius);
             break;
+        case Attach::sides:
+            add_post(stage, -radius, 0.0f, 0.07f * e.size, radius);
+            add_post(stage, e.width + radius, 0.0f, 0.07f * e.size, radius);
+            break;
         case Attach::edges:
         case Attach::all:
             add_frame(stage, e, radius);

@@ -233,6 +233,7 @@ void Viewer::receive(double passed) {
         status.steps_per_batch = moment_.steps_per_batch;
         status.stability_limit = moment_.stability_limit;
         status.lowered_because = moment_.lowered_because;
+        status.precision_remark = moment_.precision_remark;
         status.limit = moment_.scene.limits.get<StretchLimit>();
         status.step_seconds = moment_.step_seconds;
         status.force_scale = force_scale_.newtons();
