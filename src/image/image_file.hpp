@@ -11,8 +11,9 @@
 
 namespace drapeau {
 
+// What decoding takes, the file itself and the smaller image made of it not counted: what needs more is not begun.
+inline constexpr std::size_t largest_decoding_memory = 512u << 20;  // bytes
 inline constexpr std::uintmax_t largest_image_file = 256u << 20;    // bytes
-inline constexpr std::size_t largest_decoding_memory = 512u << 20;  // bytes; what takes more is not begun
 inline constexpr int largest_kept_side = 4096;  // pixels; larger images are averaged down, a flag shows no more
 inline constexpr int svg_longest_side = 2048;   // pixels; an SVG has no pixels of its own
 
