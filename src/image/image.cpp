@@ -1,92 +1,76 @@
 #include "image/image.hpp"
 
 #include "error.hpp"
-#include "image/image_file.hpp"
 #include "output_file.hpp"
 
-#include <stb_image.h>
 #include <stb_image_write.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
-#include <memory>
+#include <array>
 #include <string>
-#include <system_error>
 
 namespace drapeau {
 
 namespace {
-
-constexpr std::uintmax_t largest_file = 256u << 20;  // bytes
-
-std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file) {
-    std::error_code failure;
-    const auto status = std::filesystem::status(file, failure);
-    if (!std::filesystem::exists(status)) throw InputError(file.string() + ": no such image");
-    if (std::filesystem::is_directory(status)) throw InputError(file.string() + ": a folder, not an image");
-    if (!std::filesystem::is_regular_file(status)) throw InputError(file.string() + ": not an ordinary file");
-    const auto size = std::filesystem::file_size(file, failure);
-    if (failure) throw InputError(file.string() + ": cannot be read");
-    if (size == 0) throw InputError(file.string() + ": an empty file, not an image");
-    if (size > largest_file) throw InputError(file.string() + ": larger than 256 MB; use a smaller image");
-
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw InputError(file.string() + ": cannot be read (no permission?)");
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 void append_bytes(void* into, void* data, int size) {
     auto& bytes = *static_cast<std::vector<char>*>(into);
     bytes.insert(bytes.end(), static_cast<char*>(data), static_cast<char*>(data) + size);
 }
 
+// Block sums of alpha and of colour times alpha; blocks are at most 2^16 pixels a side, so 64 bits suffice.
+void average(const Image& image, int x0, int y0, int x1, int y1, std::uint8_t* to) {
+    std::uint64_t alpha = 0;
+    std::array<std::uint64_t, 3> colour{};
+    for (int y = y0; y < y1; ++y)
+        for (int x = x0; x < x1; ++x) {
+            const std::uint8_t* const from = image.pixel(x, y);
+            alpha += from[3];
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                colour[channel] += std::uint64_t(from[channel]) * from[3];
+        }
+    if (alpha == 0) return;
+    const auto count = std::uint64_t(x1 - x0) * std::uint64_t(y1 - y0);
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        to[channel] = std::uint8_t((colour[channel] + alpha / 2) / alpha);
+    to[3] = std::uint8_t((alpha + count / 2) / count);
+}
+
 }  // namespace
 
-Image load_image(const std::filesystem::path& file) {
-    const std::vector<std::uint8_t> bytes = read_bytes(file);
-    const ImageFormat format = image_format(bytes);
-    if (format == ImageFormat::unknown)
-        throw InputError(file.string() + ": not an image this program reads (PNG, JPEG, BMP or GIF)");
-    if (!looks_whole(format, bytes)) throw InputError(file.string() + ": the image is cut short");
-
-    // The size is known before decoding, so that an absurd one costs nothing.
-    int width = 0, height = 0, channels = 0;
-    const int count = int(bytes.size());
-    if (!stbi_info_from_memory(bytes.data(), count, &width, &height, &channels))
-        throw InputError(file.string() + ": a broken image (" + stbi_failure_reason() + ")");
-    if (width > largest_image_side || height > largest_image_side)
-        throw InputError(file.string() + ": " + std::to_string(width) + " x " + std::to_string(height) +
-                         " pixels; at most " + std::to_string(largest_image_side) + " a side");
-
-    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-        stbi_load_from_memory(bytes.data(), count, &width, &height, &channels, 4), stbi_image_free);
-    if (!pixels) throw InputError(file.string() + ": a broken or cut-short image (" + stbi_failure_reason() + ")");
-
+Image blank_image(int width, int height) {
     Image image{.width = width, .height = height, .rgba = {}};
-    image.rgba.assign(pixels.get(), pixels.get() + std::size_t(width) * std::size_t(height) * 4);
-    return shrunk_to(std::move(image), largest_kept_side);
+    image.rgba.resize(std::size_t(width) * std::size_t(height) * 4);
+    return image;
 }
 
 Image shrunk_to(Image image, int side) {
-    const int factor = (std::max(image.width, image.height) + side - 1) / side;
+    const int factor = (std::max(image.width, image.height) - 1) / side + 1;
     if (factor <= 1) return image;
-    Image small{.width = std::max(1, image.width / factor), .height = std::max(1, image.height / factor), .rgba = {}};
-    small.rgba.resize(std::size_t(small.width) * std::size_t(small.height) * 4);
+    Image small = blank_image(std::max(1, image.width / factor), std::max(1, image.height / factor));
     for (int row = 0; row < small.height; ++row)
-        for (int column = 0; column < small.width; ++column)
-            for (int channel = 0; channel < 4; ++channel) {
-                const int x1 = std::min(image.width, (column + 1) * factor);
-                const int y1 = std::min(image.height, (row + 1) * factor);
-                unsigned sum = 0, count = 0;
-                for (int y = row * factor; y < y1; ++y)
-                    for (int x = column * factor; x < x1; ++x, ++count)
-                        sum += image.rgba[(std::size_t(y) * std::size_t(image.width) + std::size_t(x)) * 4 +
-                                          std::size_t(channel)];
-                small.rgba[(std::size_t(row) * std::size_t(small.width) + std::size_t(column)) * 4 +
-                           std::size_t(channel)] = std::uint8_t((sum + count / 2) / count);
-            }
+        for (int column = 0; column < small.width; ++column) {
+            const int x = column * factor, y = row * factor;
+            average(image, x, y, std::min(image.width, x + factor), std::min(image.height, y + factor),
+                    small.pixel(column, row));
+        }
     return small;
+}
+
+Image turned(Image image, int orientation) {
+    if (orientation < 2 || orientation > 8) return image;
+    const bool transposed = orientation >= 5;
+    const bool from_right = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
+    const bool from_below = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
+    Image upright = transposed ? blank_image(image.height, image.width) : blank_image(image.width, image.height);
+    for (int row = 0; row < upright.height; ++row)
+        for (int column = 0; column < upright.width; ++column) {
+            const int x = transposed ? row : column, y = transposed ? column : row;
+            const std::uint8_t* const from =
+                image.pixel(from_right ? image.width - 1 - x : x, from_below ? image.height - 1 - y : y);
+            std::copy_n(from, 4, upright.pixel(column, row));
+        }
+    return upright;
 }
 
 void write_png(const std::filesystem::path& file, const Image& image) {

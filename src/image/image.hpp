@@ -1,6 +1,7 @@
 // Image: a picture as 8-bit RGBA rows, top row first, whatever the file held (grey, 16 bits, a palette, no alpha).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <vector>
@@ -11,16 +12,22 @@ struct Image {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgba;  // width * height * 4, sRGB, alpha not premultiplied
+
+    std::uint8_t* pixel(int column, int row) {
+        return rgba.data() + (std::size_t(row) * std::size_t(width) + std::size_t(column)) * 4;
+    }
+    const std::uint8_t* pixel(int column, int row) const { return const_cast<Image*>(this)->pixel(column, row); }
 };
 
-inline constexpr int largest_image_side = 16384;  // pixels; larger files are refused before anything is decoded
-inline constexpr int largest_kept_side = 4096;    // pixels; larger images are averaged down, a flag shows no more
+/// Every pixel transparent black. Throws std::bad_alloc.
+Image blank_image(int width, int height);
 
-/// Reads a PNG, JPEG, BMP or GIF. Throws InputError naming the file and what is wrong with it.
-Image load_image(const std::filesystem::path& file);
-
-/// The image averaged over whole blocks until no side is longer than `side`.
+/// The image averaged over whole blocks until no side is longer than `side`. Colours count by their alpha: what is
+/// transparent has no colour to give.
 Image shrunk_to(Image image, int side);
+
+/// The image as it is meant to be seen, by its EXIF orientation: 1 to 8; anything else leaves it as it is.
+Image turned(Image image, int orientation);
 
 /// Writes a PNG, whole or not at all. Throws InputError if it cannot be written.
 void write_png(const std::filesystem::path& file, const Image& image);

@@ -1,79 +1,60 @@
-#include "image_file.hpp"
+#include "image/image_file.hpp"
 
-#include <cstddef>
-#include <initializer_list>
+#include "error.hpp"
+#include "image/file_kind.hpp"
+#include "text.hpp"
+
+#include <fstream>
+#include <new>
+#include <string>
+#include <system_error>
 
 namespace drapeau {
 
 namespace {
 
-using Bytes = std::span<const std::uint8_t>;
+std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file) {
+    std::error_code failure;
+    const auto status = std::filesystem::status(file, failure);
+    if (!std::filesystem::exists(status)) throw InputError("no such image");
+    if (std::filesystem::is_directory(status)) throw InputError("a folder, not an image");
+    if (!std::filesystem::is_regular_file(status)) throw InputError("not an ordinary file");
+    const auto size = std::filesystem::file_size(file, failure);
+    if (failure) throw InputError("cannot be read");
+    if (size == 0) throw InputError("an empty file, not an image");
+    if (size > largest_image_file)
+        throw InputError("larger than " + memory_text(double(largest_image_file)) + "; use a smaller image");
 
-bool begins_with(Bytes bytes, std::initializer_list<int> magic) {
-    if (bytes.size() < magic.size()) return false;
-    std::size_t at = 0;
-    for (const int value : magic)
-        if (bytes[at++] != value) return false;
-    return true;
-}
-
-std::uint32_t little_endian(Bytes bytes, std::size_t at, int count) {
-    std::uint32_t value = 0;
-    for (int i = 0; i < count; ++i) value |= std::uint32_t(bytes[at + std::size_t(i)]) << (8 * i);
-    return value;
-}
-
-// Within the coded data of a JPEG neither the marker that starts a scan nor the one that ends the image can occur.
-bool jpeg_ends(Bytes bytes) {
-    for (std::size_t i = bytes.size() - 1; i-- > 0;) {
-        if (bytes[i] != 0xff) continue;
-        if (bytes[i + 1] == 0xd9) return true;
-        if (bytes[i + 1] == 0xda) return false;
-    }
-    return false;
-}
-
-// Rows of an uncompressed BMP are padded to four bytes.
-bool bmp_rows_fit(Bytes bytes) {
-    if (bytes.size() < 34) return false;
-    if (little_endian(bytes, 14, 4) < 40) return true;  // the oldest headers: left to the decoder
-    const auto width = std::int64_t(std::int32_t(little_endian(bytes, 18, 4)));
-    auto height = std::int64_t(std::int32_t(little_endian(bytes, 22, 4)));
-    if (height < 0) height = -height;
-    const std::int64_t bits = little_endian(bytes, 28, 2);
-    const std::int64_t rows_at = little_endian(bytes, 10, 4);
-    return rows_at + (width * bits + 31) / 32 * 4 * height <= std::int64_t(bytes.size());
-}
-
-bool gif_ends(Bytes bytes) {
-    std::size_t end = bytes.size();
-    while (end > 0 && bytes[end - 1] == 0) --end;
-    return end > 0 && bytes[end - 1] == 0x3b;
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw InputError("cannot be read (no permission?)");
+    std::vector<std::uint8_t> bytes(size);
+    in.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(size));
+    bytes.resize(std::size_t(in.gcount()));
+    return bytes;
 }
 
 }  // namespace
 
-ImageFormat image_format(Bytes bytes) {
-    if (begins_with(bytes, {0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a})) return ImageFormat::png;
-    if (begins_with(bytes, {0xff, 0xd8, 0xff})) return ImageFormat::jpeg;
-    if (begins_with(bytes, {'B', 'M'})) return ImageFormat::bmp;
-    if (begins_with(bytes, {'G', 'I', 'F', '8'})) return ImageFormat::gif;
-    return ImageFormat::unknown;
+Image decode_image(std::span<const std::uint8_t> bytes) {
+    const FileKind kind = file_kind(bytes);
+    if (!kind.decode)
+        throw InputError(std::string(kind.name) + ", which cannot be read; PNG, JPEG, WebP, SVG, GIF and BMP can");
+    try {
+        return shrunk_to(kind.decode(bytes), largest_kept_side);
+    } catch (const InputError& wrong) {
+        throw InputError(std::string(kind.name) + ", " + wrong.what());
+    }
 }
 
-bool looks_whole(ImageFormat format, Bytes bytes) {
-    switch (format) {
-        case ImageFormat::jpeg:
-            return jpeg_ends(bytes);
-        case ImageFormat::bmp:
-            return bmp_rows_fit(bytes);
-        case ImageFormat::gif:
-            return gif_ends(bytes);
-        case ImageFormat::png:
-        case ImageFormat::unknown:
-            return true;
+Image load_image(const std::filesystem::path& file) {
+    const std::string name = one_line(file.string(), 1000);
+    try {
+        return decode_image(read_bytes(file));
+    } catch (const InputError& wrong) {
+        throw InputError(name + ": " + wrong.what());
+    } catch (const std::bad_alloc&) {
+        throw InputError(name + ": not enough memory to load this image; use a smaller one");
     }
-    return true;
 }
 
 }  // namespace drapeau

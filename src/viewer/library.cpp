@@ -1,6 +1,7 @@
 #include "library.hpp"
 
 #include "error.hpp"
+#include "image/image_file.hpp"
 #include "output_file.hpp"
 #include "scene_file.hpp"
 

@@ -43,7 +43,8 @@ void choose_texture(Session& session, PanelMemory& memory, Widgets& widgets) {
         else if (at <= session.texture_files.size())
             session.wishes.load_texture = session.texture_files[at - 1].string();
     }
-    if (widgets.text("Image file", memory.texture_text, "path, then Enter", "Path of a PNG, JPEG, BMP or GIF file."))
+    if (widgets.text("Image file", memory.texture_text, "path, then Enter",
+                     "Path of a PNG, JPEG, WebP, SVG, GIF or BMP file."))
         session.wishes.load_texture = memory.texture_text;
 }
 

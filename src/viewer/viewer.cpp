@@ -1,5 +1,6 @@
 #include "viewer.hpp"
 
+#include "image/image_file.hpp"
 #include "stage.hpp"
 
 #include "error.hpp"

@@ -1,5 +1,6 @@
 // The program as a command: what it says and gives back without anybody touching the window.
 #include "app.hpp"
+#include "image/image_file.hpp"
 #include "pixels.hpp"
 #include "scenes.hpp"
 

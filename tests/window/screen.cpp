@@ -1,5 +1,7 @@
 #include "screen.hpp"
 
+#include "image/image_file.hpp"
+
 #include <stdexcept>
 #include <thread>
 
