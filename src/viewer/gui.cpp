@@ -4,8 +4,11 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <string>
 #include <system_error>
 
 namespace drapeau {
@@ -79,6 +82,24 @@ void set_style(float scale) {
     style.ScaleAllSizes(scale);
 }
 
+/// Whether a number is being typed.
+bool is_number_typed() {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    return context.TempInputId != 0 && context.ActiveId == context.TempInputId;  // a slider that is a text field now
+}
+
+const char* (*system_clipboard)(void* user) = nullptr;
+
+/// The clipboard, its commas points where a number is being typed: ImGui would leave them out, 0,5 becoming 5.
+const char* clipboard_with_points(void* user) {
+    static std::string kept;
+    const char* text = system_clipboard(user);
+    if (!text || !is_number_typed()) return text;
+    kept = text;
+    std::replace(kept.begin(), kept.end(), ',', '.');
+    return kept.c_str();
+}
+
 }  // namespace
 
 Gui::Gui(GLFWwindow* window, float scale, float pixels_per_unit) : window_(window) {
@@ -89,6 +110,8 @@ Gui::Gui(GLFWwindow* window, float scale, float pixels_per_unit) : window_(windo
     load_font(scale, pixels_per_unit);
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
+    system_clipboard = ImGui::GetIO().GetClipboardTextFn;
+    ImGui::GetIO().GetClipboardTextFn = clipboard_with_points;
 }
 
 Gui::~Gui() {
@@ -121,6 +144,10 @@ void Gui::begin(const GuiFrame& frame, const std::vector<InputEvent>& events) {
     (void)events;
 #endif
     ImGui::NewFrame();
+    // The same for keys.
+    if (is_number_typed())
+        for (ImWchar& character : io.InputQueueCharacters)
+            if (character == ',') character = '.';
 }
 
 void Gui::draw() {

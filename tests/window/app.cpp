@@ -224,6 +224,14 @@ void App::set(const std::string& label, bool on) {
                [&](const Look& look) { return look.has(label) && look.controls.at(label).value == wanted; });
 }
 
+void App::type_number(const std::string& label, const std::string& text) {
+    screen_.xdotool({"keydown", "ctrl"});
+    click(label);
+    screen_.xdotool({"keyup", "ctrl"});
+    screen_.xdotool({"type", "--delay", "5", text});
+    press("Return");
+}
+
 void App::type(const std::string& label, const std::string& text) {
     click(label);
     // Control is let go last: a key that is down longer than the keyboard's repeat delay would type.

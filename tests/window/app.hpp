@@ -74,6 +74,8 @@ public:
     void click(const std::string& label);
     /// Clicks a switch unless it already is as wanted, and waits until it is.
     void set(const std::string& label, bool on);
+    /// Types a number over a slider's and presses Return.
+    void type_number(const std::string& label, const std::string& text);
     /// Replaces a text field's text and presses Return.
     void type(const std::string& label, const std::string& text);
 

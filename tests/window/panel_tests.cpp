@@ -165,6 +165,31 @@ TEST_CASE_METHOD(StillFlag, "a slider's end in per cent is saved as that share")
     app.check_healthy();
 }
 
+TEST_CASE_METHOD(StillFlag, "a number may be typed with a decimal comma") {
+    app.show("Width");
+    app.type_number("Width", "0,75");
+    app.wait_until("the width", [](const Look& look) { return look.controls.at("Width").value == "0.75"; });
+    app.type_number("Height", "0.25");
+    app.wait_until("the height", [](const Look& look) { return look.controls.at("Height").value == "0.25"; });
+    app.show("Columns");
+    app.type_number("Columns", "12,5");
+    app.wait_until("whole columns", [](const Look& look) { return look.controls.at("Columns").value == "12"; });
+    app.check_healthy();
+}
+
+TEST_CASE("choosing forward Euler says how slow it is and what helps, and the flag goes on as it was") {
+    const Screen screen;
+    App app(screen, {"report", "--size", "1280x800"});
+    app.click("Page: Time");
+    app.click("Method");
+    app.click("Method: forward-euler");
+    const Look slow = app.wait_until("the remark", [](const Look& look) { return look.has("Slow"); });
+    CHECK(slow.controls.at("Slow").value.find("slower than real time") != std::string::npos);
+    CHECK(slow.controls.at("Slow").value.find("Semi-implicit-euler") != std::string::npos);
+    CHECK(slow.has("Precision remark"));
+    app.check_healthy();
+}
+
 TEST_CASE("the clock stops, goes on by steps, and begins anew") {
     const Screen screen;
     App app(screen, {"report", "--size", "900x640"});
