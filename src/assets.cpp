@@ -60,9 +60,10 @@ fs::path find(const Kind& kind, const std::string& name, const fs::path& beside)
     return {};
 }
 
-std::string list(const Kind& kind) {
+std::string list(const Kind& kind, bool with_endings) {
     std::string text;
-    for (const fs::path& file : shipped(kind)) text += (text.empty() ? "" : ", ") + file.stem().string();
+    for (const fs::path& file : shipped(kind))
+        text += (text.empty() ? "" : ", ") + (with_endings ? file.filename() : file.stem()).string();
     return text;
 }
 
@@ -89,11 +90,12 @@ std::string fault_of(const fs::path& place, const Kind& kind) {
 
 fs::path find_or_refuse(const Kind& kind, const std::string& given) {
     const std::string name = meant_path(given);
+    if (name.empty()) throw InputError("an empty name, " + std::string(kind.wanted) + " is wanted");
     if (const fs::path file = find(kind, name, {}); !file.empty()) return file;
     std::string fault = fault_of(name, kind);
     if (fault.empty())
         fault = "no such file or shipped " + std::string(kind.name) + "; " + suggestion(kind, name) +
-                "shipped: " + list(kind);
+                "shipped: " + list(kind, false);
     throw InputError(one_line(name, 1000) + ": " + fault);
 }
 
@@ -131,8 +133,8 @@ fs::path find_texture(const std::string& texture, const fs::path& scene_file) {
     if (const fs::path file = find(pictures, name, scene_file.parent_path()); !file.empty()) return file;
     std::string fault = name.empty() ? "" : fault_of(scene_file.parent_path() / name, pictures);
     if (fault.empty())
-        fault =
-            "neither beside the scene nor in assets/flags; " + suggestion(pictures, name) + "there: " + list(pictures);
+        fault = "neither beside the scene nor in assets/flags; " + suggestion(pictures, name) +
+                "there: " + list(pictures, true);
     throw InputError("texture " + one_line(in_quotes(texture), 300) + ": " + fault);
 }
 
