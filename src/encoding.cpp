@@ -18,7 +18,7 @@ bool looks_like_utf16(std::string_view bytes) {
     std::array<std::size_t, 2> zeros{};
     for (std::size_t i = 0; i < bytes.size(); ++i) zeros[i % 2] += bytes[i] == '\0' ? 1 : 0;
     const auto [fewer, more] = std::minmax(zeros[0], zeros[1]);
-    return bytes.size() % 2 == 0 && fewer == 0 && more >= bytes.size() / 4;
+    return bytes.size() % 2 == 0 && fewer == 0 && more > 0 && 4 * more >= bytes.size();
 }
 
 bool is_text_byte(char c) {
