@@ -17,7 +17,7 @@ std::string_view without_space(std::string_view text) {
 }
 
 std::string_view without_quotes(std::string_view text) {
-    const bool quoted = text.size() > 2 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front();
+    const bool quoted = text.size() > 1 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front();
     return quoted ? text.substr(1, text.size() - 2) : text;
 }
 
