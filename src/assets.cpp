@@ -1,5 +1,6 @@
 // Shipped scenes and textures, found from the program's own place: the build tree, the source tree or an installation.
 #include "error.hpp"
+#include "given_path.hpp"
 #include "scene_file.hpp"
 #include "text.hpp"
 
@@ -16,27 +17,86 @@ bool is_folder(const fs::path& path) {
     return fs::is_directory(path, ignored);
 }
 
-bool is_there_and_no_folder(const fs::path& path) {
+bool is_file(const fs::path& path) {
     std::error_code ignored;
     return fs::exists(path, ignored) && !is_folder(path);
 }
 
-/// Names of the files of one kind, sorted; without the extension if asked.
-std::vector<std::string> names_in_folder(const fs::path& folder, std::string_view extension, bool keep_extension) {
-    std::vector<std::string> names;
+/// What is shipped in a folder of assets/ and may also lie anywhere.
+struct Kind {
+    std::string_view name, wanted;  // in messages
+    std::string_view folder;
+    std::vector<std::string_view> endings;
+};
+
+const Kind scenes{"scene", "a scene file", "scenes", {".toml"}};
+const Kind pictures{"image", "an image", "flags", {".png", ".jpg", ".jpeg", ".bmp", ".gif"}};
+
+/// The shipped files of one kind, sorted, the scene that the program begins with first.
+std::vector<fs::path> shipped(const Kind& kind) {
+    std::vector<fs::path> files;
     std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-        const fs::path& path = entry->path();
-        if (path.extension() == extension) names.push_back((keep_extension ? path.filename() : path.stem()).string());
+    for (fs::directory_iterator entry(assets_directory() / kind.folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        const std::string ending = ending_of(entry->path());
+        if (std::find(kind.endings.begin(), kind.endings.end(), ending) != kind.endings.end())
+            files.push_back(entry->path());
     }
-    std::sort(names.begin(), names.end());
-    return names;
+    std::sort(files.begin(), files.end());
+    std::stable_partition(files.begin(), files.end(), [](const fs::path& file) { return file.stem() == "report"; });
+    return files;
 }
 
-std::string list(const std::vector<std::string>& names) {
+/// The file that is meant: one of that name, a shipped one with or without its ending, one that lacks only its ending.
+/// Empty if there is none. A folder hides nothing.
+fs::path find(const Kind& kind, const std::string& name, const fs::path& beside) {
+    const fs::path place = beside / name;
+    if (name.empty()) return {};
+    if (is_file(place)) return place;
+    for (const fs::path& file : shipped(kind))
+        if (file.filename() == name || file.stem() == name) return file;
+    for (const std::string_view ending : kind.endings)
+        if (const fs::path longer = place.string() + std::string(ending); is_file(longer)) return longer;
+    return {};
+}
+
+std::string list(const Kind& kind, bool with_endings) {
     std::string text;
-    for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+    for (const fs::path& file : shipped(kind))
+        text += (text.empty() ? "" : ", ") + (with_endings ? file.filename() : file.stem()).string();
     return text;
+}
+
+/// "did you mean japan? " of a shipped name, or nothing.
+std::string suggestion(const Kind& kind, const std::string& name) {
+    std::vector<std::string> names;
+    for (const fs::path& file : shipped(kind)) {
+        names.push_back(file.stem().string());
+        names.push_back(file.filename().string());
+    }
+    const std::vector<std::string_view> candidates(names.begin(), names.end());
+    const auto meant = nearest(name, candidates);
+    return meant ? "did you mean " + std::string(*meant) + "? " : "";
+}
+
+/// Why a name leads to no file, where it is more than that there is none: a loop of links, no permission, a folder.
+std::string fault_of(const fs::path& place, const Kind& kind) {
+    std::error_code failure;
+    const fs::file_type type = fs::status(place, failure).type();
+    if (type == fs::file_type::none || type == fs::file_type::unknown) return failure.message();
+    if (type == fs::file_type::directory) return "a folder, " + std::string(kind.wanted) + " is wanted";
+    return {};
+}
+
+fs::path find_or_refuse(const Kind& kind, const std::string& given) {
+    const std::string name = meant_path(given);
+    if (name.empty()) throw InputError("an empty name, " + std::string(kind.wanted) + " is wanted");
+    if (const fs::path file = find(kind, name, {}); !file.empty()) return file;
+    std::string fault = fault_of(name, kind);
+    if (fault.empty())
+        fault = "no such file or shipped " + std::string(kind.name) + "; " + suggestion(kind, name) +
+                "shipped: " + list(kind, false);
+    throw InputError(one_line(name, 1000) + ": " + fault);
 }
 
 }  // namespace
@@ -55,33 +115,27 @@ fs::path assets_directory() {
 }
 
 std::vector<std::string> shipped_scenes() {
-    auto names = names_in_folder(assets_directory() / "scenes", ".toml", false);
-    std::stable_partition(names.begin(), names.end(), [](const std::string& name) { return name == "report"; });
+    std::vector<std::string> names;
+    for (const fs::path& file : shipped(scenes)) names.push_back(file.stem().string());
     return names;
 }
 
 fs::path find_scene(const std::string& path_or_name) {
-    if (is_there_and_no_folder(path_or_name)) return path_or_name;
-    const auto shipped = shipped_scenes();
-    if (std::find(shipped.begin(), shipped.end(), path_or_name) != shipped.end()) {
-        return assets_directory() / "scenes" / (path_or_name + ".toml");
-    }
-    if (is_folder(path_or_name)) throw InputError(one_line(path_or_name, 1000) + ": a folder, a scene file is wanted");
+    return find_or_refuse(scenes, path_or_name);
+}
 
-    const std::vector<std::string_view> names(shipped.begin(), shipped.end());
-    const auto meant = nearest(path_or_name, names);
-    throw InputError(one_line(path_or_name, 1000) + ": no such file or shipped scene; " +
-                     (meant ? "did you mean " + std::string(*meant) + "? " : "") + "shipped: " + list(shipped));
+fs::path find_picture(const std::string& path_or_name) {
+    return find_or_refuse(pictures, path_or_name);
 }
 
 fs::path find_texture(const std::string& texture, const fs::path& scene_file) {
-    const fs::path flags = assets_directory() / "flags";
-    for (const fs::path& candidate : {scene_file.parent_path() / texture, flags / texture}) {
-        if (!texture.empty() && is_there_and_no_folder(candidate)) return candidate;
-    }
-    throw InputError(
-        "texture " + one_line(in_quotes(texture), 300) +
-        ": neither beside the scene nor in assets/flags; there: " + list(names_in_folder(flags, ".png", true)));
+    const std::string name = meant_path(texture);
+    if (const fs::path file = find(pictures, name, scene_file.parent_path()); !file.empty()) return file;
+    std::string fault = name.empty() ? "" : fault_of(scene_file.parent_path() / name, pictures);
+    if (fault.empty())
+        fault = "neither beside the scene nor in assets/flags; " + suggestion(pictures, name) +
+                "there: " + list(pictures, true);
+    throw InputError("texture " + one_line(in_quotes(texture), 300) + ": " + fault);
 }
 
 }  // namespace drapeau

@@ -187,4 +187,24 @@ void check_writable(const std::string& name) {
     if (!Target(name).direct) OutputFile file(name);
 }
 
+bool is_same_file(const std::string& one, const std::string& other) {
+    std::error_code ignored;
+    return fs::equivalent(one, other, ignored) || behind_links(one) == behind_links(other);
+}
+
+void check_outputs(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
+    std::vector<NamedFile> taken = inputs;
+    for (const NamedFile& output : outputs) {
+        check_writable(output.name);
+        std::error_code ignored;
+        if (fs::is_other(output.name, ignored)) continue;
+        for (const NamedFile& other : taken) {
+            if (is_same_file(other.name, output.name))
+                throw InputError(output.asked_by + " = " + one_line(output.name, 1000) + ": the same file as " +
+                                 other.asked_by);
+        }
+        taken.push_back(output);
+    }
+}
+
 }  // namespace drapeau

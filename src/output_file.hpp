@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace drapeau {
 
@@ -46,5 +47,17 @@ void write_file(const std::string& name, const std::function<void(const Append&)
 
 /// Throws InputError if write_file could not begin. Leaves nothing behind.
 void check_writable(const std::string& name);
+
+/// The same place by whatever name, whether there is a file yet or not.
+bool is_same_file(const std::string& one, const std::string& other);
+
+/// A file and what asked for it, in the user's words: an option, or "the scene".
+struct NamedFile {
+    std::string asked_by, name;
+};
+
+/// Finds out before the work whether its results can be kept: throws InputError if an output cannot be written, or is
+/// the same file as an input or another output. Devices take what they are given, twice too.
+void check_outputs(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
 }  // namespace drapeau

@@ -1,5 +1,6 @@
 #include "scene_file.hpp"
 
+#include "encoding.hpp"
 #include "error.hpp"
 #include "scene_check.hpp"
 #include "scene_fields.hpp"
@@ -216,10 +217,6 @@ void read_tables(const toml::table& root, Scene& scene, const std::string& origi
     fail(origin, fault.text());
 }
 
-bool is_text(std::string_view bytes) {
-    return bytes.find('\0') == std::string_view::npos && is_utf8(bytes);
-}
-
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& file) {
@@ -230,7 +227,7 @@ Scene read_scene(const std::filesystem::path& file) {
 
 Scene parse_scene(std::string_view text, const std::string& origin) {
     if (text.empty()) fail(origin, "empty, a scene is wanted");
-    if (!is_text(text)) fail(origin, "not a text file, a scene is wanted");
+    if (const std::string fault = encoding_fault(text); !fault.empty()) fail(origin, fault);
     const auto nesting =
         std::count_if(text.begin(), text.end(), [](char c) { return c == '.' || c == '[' || c == '{'; });
     if (text.size() > most_bytes) fail(origin, "more than 1 MiB, a scene is smaller");

@@ -24,13 +24,19 @@ std::string write_scene(const Scene& scene);
 /// the window calls it for what its controls made, parse_scene calls it for what a file says.
 void check_scene(const Scene& scene);
 
-/// A path to an existing file, or the name of a shipped scene ("storm"). Throws InputError that lists the shipped ones.
+/// The scene file that is meant: a path as people give it (given_path.hpp), the name of a shipped scene ("storm"), or
+/// what lacks only its ending ("mine" for mine.toml), in this order; a folder hides nothing. Throws InputError that
+/// lists the shipped ones.
 std::filesystem::path find_scene(const std::string& path_or_name);
+
+/// The same for an image: a path, a shipped one ("japan"), or what lacks only its ending.
+std::filesystem::path find_picture(const std::string& path_or_name);
 
 /// Names of the shipped scenes, "report" first.
 std::vector<std::string> shipped_scenes();
 
-/// Where `texture` of a scene read from `scene_file` lies: beside the scene, then in assets/flags. Throws InputError.
+/// The image that `texture` of a scene read from `scene_file` means: beside the scene, then in assets/flags. Throws
+/// InputError.
 std::filesystem::path find_texture(const std::string& texture, const std::filesystem::path& scene_file);
 
 /// assets/ of the source or build tree, or of the installation (found from the program's own place, not the working

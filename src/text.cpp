@@ -20,17 +20,44 @@ std::string as_chars(Number value, auto... how) {
     return {buffer.data(), end};
 }
 
-/// Length of the UTF-8 sequence a byte begins; 0 if it begins none.
-std::size_t sequence_length(unsigned char first) {
+/// Bytes of the UTF-8 character that begins at `at`; 0 if none does.
+std::size_t character_length(std::string_view text, std::size_t at) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[at + i]); };
+    const unsigned char first = byte(0);
     if (first < 0x80) return 1;
-    if (first >= 0xC2 && first < 0xE0) return 2;
-    if (first >= 0xE0 && first < 0xF0) return 3;
-    if (first >= 0xF0 && first < 0xF5) return 4;
-    return 0;
+    if (first < 0xC2 || first > 0xF4) return 0;
+    const std::size_t length = first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+    if (at + length > text.size()) return 0;
+    for (std::size_t i = 1; i < length; ++i)
+        if ((byte(i) & 0xC0) != 0x80) return 0;
+    // Overlong forms, surrogates and what lies beyond Unicode.
+    const unsigned char second = byte(1);
+    const bool impossible = (first == 0xE0 && second < 0xA0) || (first == 0xED && second >= 0xA0) ||
+                            (first == 0xF0 && second < 0x90) || (first == 0xF4 && second >= 0x90);
+    return impossible ? 0 : length;
+}
+
+/// The number of a character of two or three bytes.
+unsigned code_point(std::string_view character) {
+    unsigned code = static_cast<unsigned char>(character[0]) & (character.size() == 2 ? 0x1Fu : 0x0Fu);
+    for (const char c : character.substr(1)) code = code << 6 | (static_cast<unsigned char>(c) & 0x3Fu);
+    return code;
+}
+
+/// Control characters of the second set, line and paragraph separators, embeddings and overrides of direction.
+bool is_invisible(unsigned code) {
+    return (code >= 0x80 && code < 0xA0) || (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
 }
 
 bool is_control(unsigned char byte) {
     return byte < 0x20 || byte == 0x7F;
+}
+
+std::string in_hex(unsigned value, int digits) {
+    constexpr std::string_view hex = "0123456789abcdef";
+    std::string result;
+    for (int place = 4 * (digits - 1); place >= 0; place -= 4) result += hex[value >> place & 15u];
+    return result;
 }
 
 /// Insertions, deletions and substitutions that turn one word into the other (Levenshtein, row by row).
@@ -102,7 +129,6 @@ std::optional<double> number_in(std::string_view text) {
 }
 
 std::string in_quotes(std::string_view text) {
-    constexpr std::string_view hex = "0123456789abcdef";
     std::string result = "\"";
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
@@ -110,9 +136,7 @@ std::string in_quotes(std::string_view text) {
             result += '\\';
             result += c;
         } else if (is_control(byte)) {
-            result += "\\u00";
-            result += hex[byte >> 4];
-            result += hex[byte & 15];
+            result += "\\u00" + in_hex(byte, 2);
         } else {
             result += c;
         }
@@ -120,34 +144,47 @@ std::string in_quotes(std::string_view text) {
     return result + '"';
 }
 
-std::string one_line(std::string_view text, std::size_t longest) {
-    std::string result(text.substr(0, longest));
-    for (char& c : result) {
-        if (is_control(static_cast<unsigned char>(c))) c = '?';
+std::string printable(std::string_view text) {
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = character_length(text, at);
+        const std::string_view character = text.substr(at, std::max<std::size_t>(length, 1));
+        const auto byte = static_cast<unsigned char>(character[0]);
+        if (const auto named = std::string_view("\n\t\r").find(character); named != std::string_view::npos) {
+            result += std::array{"\\n", "\\t", "\\r"}[named];
+        } else if (length == 0 || is_control(byte)) {
+            result += "\\x" + in_hex(byte, 2);
+        } else if ((length == 2 || length == 3) && is_invisible(code_point(character))) {
+            result += "\\u" + in_hex(code_point(character), 4);
+        } else {
+            result += character;
+        }
+        at += character.size();
     }
-    if (text.size() <= longest) return result;
-    // Never cut within a character.
-    while (!result.empty() && !is_utf8(result) && result.size() + 4 > longest) result.pop_back();
-    return result + "...";
+    return result;
+}
+
+std::string one_line(std::string_view text, std::size_t longest) {
+    // No text is shorter when printable, and a character has at most four bytes.
+    std::string result = printable(text.substr(0, longest + 4));
+    if (result.size() <= longest) return result;
+    std::size_t cut = longest;
+    while (cut > 0 && (static_cast<unsigned char>(result[cut]) & 0xC0) == 0x80) --cut;
+    return result.substr(0, cut) + "...";
+}
+
+std::size_t utf8_length(std::string_view text) {
+    std::size_t at = 0;
+    while (at < text.size()) {
+        const std::size_t length = character_length(text, at);
+        if (length == 0) break;
+        at += length;
+    }
+    return at;
 }
 
 bool is_utf8(std::string_view text) {
-    for (std::size_t i = 0; i < text.size();) {
-        const auto first = static_cast<unsigned char>(text[i]);
-        const std::size_t length = sequence_length(first);
-        if (length == 0 || i + length > text.size()) return false;
-        for (std::size_t j = 1; j < length; ++j) {
-            if ((static_cast<unsigned char>(text[i + j]) & 0xC0) != 0x80) return false;
-        }
-        // Overlong forms, surrogates and what lies beyond Unicode.
-        const auto second = length > 1 ? static_cast<unsigned char>(text[i + 1]) : 0;
-        if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second >= 0xA0) || (first == 0xF0 && second < 0x90) ||
-            (first == 0xF4 && second >= 0x90)) {
-            return false;
-        }
-        i += length;
-    }
-    return true;
+    return utf8_length(text) == text.size();
 }
 
 std::string memory_text(double bytes) {

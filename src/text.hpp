@@ -25,8 +25,15 @@ std::optional<double> number_in(std::string_view text);
 /// A TOML basic string, which is also a JSON string.
 std::string in_quotes(std::string_view text);
 
-/// Control characters replaced and the length limited, so that a message stays one line.
+/// The text with an escape ("\n", "\x1b", "\u2028") in place of whatever is no visible character: control characters,
+/// line separators, marks that turn the direction of text, bytes that are no UTF-8.
+std::string printable(std::string_view text);
+
+/// The printable text, cut to so many bytes, for a part of a message that would be too long.
 std::string one_line(std::string_view text, std::size_t longest = 120);
+
+/// How many bytes from the beginning are whole UTF-8 characters.
+std::size_t utf8_length(std::string_view text);
 
 bool is_utf8(std::string_view text);
 

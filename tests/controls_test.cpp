@@ -155,4 +155,11 @@ TEST_CASE("a dropped scene file is a scene, any other an image") {
     desk.happen({{.kind = Kind::drop, .file = "/tmp/a flag.toml"}, {.kind = Kind::drop, .file = "/tmp/flag.png"}});
     CHECK(desk.session.wishes.load_scene == "/tmp/a flag.toml");
     CHECK(desk.session.wishes.load_texture == "/tmp/flag.png");
+    // As some programs drop it.
+    for (const std::string scene : {"file:///tmp/a%20flag.toml\r\n", "/tmp/FLAG.TOML", "'/tmp/a flag.toml'"}) {
+        Desk other;
+        other.happen({{.kind = Kind::drop, .file = scene}});
+        CHECK(other.session.wishes.load_scene == scene);
+        CHECK(!other.session.wishes.load_texture);
+    }
 }

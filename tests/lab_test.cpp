@@ -323,12 +323,12 @@ TEST_CASE("a bad command line is refused in one line") {
     check_refused(bench.run("run storm --seconds 1 --speed 3"), "--speed");
     check_refused(bench.run("run storm calm --seconds 1"), "calm");
     check_refused(bench.run("run no-such --seconds 1"), "no-such: no such file or shipped scene");
-    check_refused(bench.run("run \"$(printf 'a\\nb')\" --seconds 1"), "a?b");
+    check_refused(bench.run("run \"$(printf 'a\\nb')\" --seconds 1"), "a\\nb: no such file");
     check_refused(bench.run("run . --seconds 1"), "folder");
     check_refused(bench.run("run /dev/zero --seconds 1"), "1.0 MiB");
     check_refused(bench.run("run broken.toml --seconds 1"),
                   "broken.toml:2: flag.columns = 0: a whole number from 1 to 4096 is allowed");
-    for (const std::string seconds : {"-1", "nan", "inf", "1e300", "abc", "1s", "''", "1e-30"}) {
+    for (const std::string seconds : {"-1", "nan", "inf", "1e300", "abc", "1s", "1e-30"}) {
         check_refused(bench.run("run storm --seconds " + seconds), "--seconds = ");
     }
     for (const std::string dt : {"-1", "0", "nan", "inf", "1e300", "fast"}) {
@@ -432,5 +432,112 @@ TEST_CASE("help, version and the list of scenes are for standard output and succ
         CHECK_FALSE(outcome.output.empty());
     }
     CHECK(has(bench.run("run --help").output, "whole number of such steps"));
+    for (const std::string arguments : {"--help", "run --help"}) {
+        const std::string help = bench.run(arguments).output;
+        CHECK(has(help, "Exit status: 0 good, 2 bad input, 3 diverged."));
+        CHECK(has(help, "Example: drapeau-lab run storm --seconds 10"));
+    }
     CHECK(bench.run("scenes").output.starts_with("report\nbanner\nbreeze\ncalm\n"));
+}
+
+TEST_CASE("an option given an empty value is refused, not taken for absent") {
+    const Bench bench;
+    for (const std::string option : {"--method", "--dt", "--precision", "--threads", "--state", "--json", "--csv"}) {
+        INFO(option);
+        check_refused(bench.run("run spring --seconds 0.1 " + option + " ''"), option + ": an empty value");
+        check_refused(bench.run("run spring --seconds 0.1 " + option + "="), option + ": an empty value");
+        check_refused(bench.run("run spring " + option + "= --seconds 0.1"), option + ": an empty value");
+    }
+    check_refused(bench.run("run spring --seconds ''"), "--seconds: an empty value");
+    check_refused(bench.run("run '' --seconds 0.1"), "SCENE: an empty value");
+    CHECK(bench.files().empty());
+}
+
+TEST_CASE("a message is one visible line, whatever the names in it hold") {
+    const Bench bench;
+    for (const std::string name : {"a\\033[2Jb", "a\\nb", "a\\tb", "a\\377b", "a\\302\\233b"}) {
+        for (const std::string arguments :
+             {"run \"$(printf 'NAME')\" --seconds 1", "\"$(printf 'NAME')\"",
+              "run spring --seconds \"$(printf 'NAME')\"", "run spring --seconds 1 --method \"$(printf 'NAME')\"",
+              "run spring --seconds 1 --\"$(printf 'NAME')\"",
+              "run spring --seconds 1 --state \"none/$(printf 'NAME')\""}) {
+            std::string line = arguments;
+            line.replace(line.find("NAME"), 4, name);
+            const auto outcome = bench.run(line);
+            check_refused(outcome, "");
+            CHECK(has(outcome.messages, "\\"));
+            CHECK(std::all_of(outcome.messages.begin(), outcome.messages.end() - 1,
+                              [](char c) { return c >= ' ' && c <= '~'; }));
+        }
+    }
+}
+
+TEST_CASE("whatever is for standard output fails where it cannot be written") {
+    const Bench bench;
+    for (const std::string arguments : {"--help", "run --help", "--version", "scenes", "run spring --seconds 0.1"}) {
+        check_refused(bench.run(arguments + " >/dev/full"), "standard output cannot be written: No space left");
+        check_refused(bench.run(arguments + " >&-"), "standard output cannot be written: Bad file descriptor");
+    }
+}
+
+TEST_CASE("a file whose name begins with a dash can be given, and the message says how") {
+    const Bench bench;
+    bench.write("-dash.toml", sheet);
+    bench.write("--long.toml", sheet);
+    for (const std::string name : {"-dash.toml", "--long.toml"}) {
+        INFO(name);
+        CHECK(bench.run("run ./" + name + " --seconds 0.1").status == 0);
+        CHECK(bench.run("run --seconds 0.1 -- " + name).status == 0);
+        check_refused(bench.run("run " + name + " --seconds 0.1"),
+                      name + " begins with a dash: a file of that name is given as ./" + name + " or after --");
+    }
+    CHECK(bench.run("run spring --seconds 0.1 --state -s.csv").status == 0);
+    check_refused(bench.run("run spring --seconds 0.1 -- --speed"), "--speed");
+    check_refused(bench.run("run spring --seconds 0.1 --speed"), "--speed");
+}
+
+TEST_CASE("a scene that cannot be read is refused with the reason") {
+    const Bench bench;
+    fs::create_symlink("loop.toml", bench.path / "loop.toml");
+    check_refused(bench.run("run loop.toml --seconds 1"), "loop.toml: Too many levels of symbolic links");
+    bench.write("latin1.toml",
+                "# a scene\nname = \"Drapeau fran\xE7"
+                "ais\"\n" +
+                    sheet);
+    check_refused(bench.run("run latin1.toml --seconds 1"),
+                  "latin1.toml: not UTF-8, line 2: byte 0xE7, probably Latin-1; save it as UTF-8");
+    std::string wide = "\xFF\xFE";
+    for (const char c : sheet) wide.append({c, '\0'});
+    bench.write("wide.toml", wide);
+    check_refused(bench.run("run wide.toml --seconds 1"), "wide.toml: UTF-16, not UTF-8");
+    bench.write("wide.toml", wide.substr(2));
+    check_refused(bench.run("run wide.toml --seconds 1"), "wide.toml: UTF-16, not UTF-8");
+}
+
+TEST_CASE("outputs of one name are found through links, made or not") {
+    const Bench bench;
+    bench.write("sheet.toml", sheet);
+    fs::create_symlink("sheet.toml", bench.path / "link.toml");
+    fs::create_symlink("new.csv", bench.path / "link.csv");
+    check_refused(bench.run("run sheet.toml --seconds 0.1 --state link.toml"), "the same file as the scene");
+    check_refused(bench.run("run sheet.toml --seconds 0.1 --state link.csv --csv new.csv"),
+                  "--csv = new.csv: the same file as --state");
+    check_refused(bench.run("run sheet.toml --seconds 0.1 --state new.csv --csv ./link.csv"),
+                  "the same file as --state");
+    CHECK(bench.run("run sheet.toml --seconds 0.1 --state /dev/null --csv /dev/null").status == 0);
+}
+
+TEST_CASE("paths mean what they seem to mean, for scenes and for outputs") {
+    const Bench bench;
+    bench.write("t1.toml", sheet);
+    const std::string at_home = "env HOME='" + bench.path.string() + "' ";
+    for (const std::string scene :
+         {"t1", "'~/t1.toml'", "'~/t1'", "\"'t1.toml'\"", "'t1.toml '", "file://\"$PWD\"/t1%2etoml"}) {
+        const auto outcome = bench.run("run " + scene + " --seconds 0.1 --json '~/r.json' --state ' s.csv '", at_home);
+        INFO(scene << outcome.messages);
+        CHECK(outcome.status == 0);
+        CHECK(bench.files() == std::vector<std::string>{"r.json", "s.csv", "t1.toml"});
+    }
+    fs::create_directory(bench.path / "storm");
+    CHECK(bench.run("run storm --seconds 0.01").status == 0);
 }

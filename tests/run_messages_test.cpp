@@ -170,3 +170,9 @@ TEST_CASE("of a run that stands only that is told") {
     window.hear(moment, 0);
     CHECK(window.shown().empty());
 }
+
+TEST_CASE("the message box shows what its text holds, also what cannot be seen") {
+    Session session;
+    say(session, "Saved /home/a\n\x1b[2J\xFF", false);
+    CHECK(session.message.shown() == "Saved /home/a\\n\\x1b[2J\\xff");
+}

@@ -365,7 +365,7 @@ TEST_CASE("a file that is no scene is refused in one line") {
         {folder.write("comment.toml", "# nothing\n"), "[springs] is missing"},
         {folder.write("noise.toml", noise), "not a text file"},
         {folder.write("zeros.toml", std::string(100, '\0')), "not a text file"},
-        {folder.write("latin.toml", "name = \"\xE9t\xE9\"\n" + springs), "not a text file"},
+        {folder.write("latin.toml", "name = \"\xE9t\xE9\"\n" + springs), "line 1: byte 0xE9, probably Latin-1"},
         {folder.write("long.toml", std::string(3 << 20, '#')), "1.0 MiB"},
         {folder.write("deep.toml", deep + " = 1\n"), "dots and brackets"},
         {folder.write("nested.toml", "a = " + std::string(3000, '[')), ":1: "},

@@ -1,14 +1,12 @@
 // The laboratory's command line: subcommands, and the one place where bad input becomes an exit status.
+#include "command_line.hpp"
 #include "error.hpp"
 #include "run.hpp"
 #include "scene_file.hpp"
+#include "terminal.hpp"
 #include "text.hpp"
 
-#include <CLI/CLI.hpp>
-
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <new>
 
 namespace {
@@ -16,7 +14,9 @@ namespace {
 using namespace drapeau;
 using namespace drapeau::lab;
 
-constexpr const char* exit_notes = "Exit status: 0 good, 2 bad input, 3 diverged.";
+constexpr const char* exit_notes =
+    "Example: drapeau-lab run storm --seconds 10 --dt auto --state storm.csv\n"
+    "Exit status: 0 good, 2 bad input, 3 diverged.";
 constexpr const char* run_notes =
     "A step given as a number is used as it is, and the time must be a whole number of such steps. With dt auto the "
     "run\n"
@@ -27,17 +27,11 @@ constexpr const char* run_notes =
     "digits\n"
     "as read back to the same number in the precision of the run.";
 
-int complain(const std::string& message) {
-    std::fprintf(stderr, "drapeau-lab: %s\n", message.c_str());
-    return exit_bad_input;
-}
+constexpr const char* program = "drapeau-lab";
 
-/// What stands on standard output may still wait for its disk.
-int finish_output(int status) {
-    if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
-        return complain(std::string("the results cannot be written: ") + std::strerror(errno));
-    }
-    return status;
+int refuse(const std::string& message) {
+    complain(program, message);
+    return exit_bad_input;
 }
 
 int list_scenes() {
@@ -56,7 +50,8 @@ int main(int count, char** arguments) {
     RunOptions options;
     auto* run_command = app.add_subcommand("run", "Simulate a scene for a time: where it is then, and what it cost");
     run_command->footer(std::string(run_notes) + "\n\n" + exit_notes);
-    run_command->add_option("SCENE", options.scene, "A scene file, or the name of a shipped scene")->required();
+    take_as_path(
+        run_command->add_option("SCENE", options.scene, "A scene file, or the name of a shipped scene")->required());
     run_command->add_option("--seconds", options.seconds, "Time to simulate, s")->required()->type_name("T");
     run_command->add_option("--method", options.method, method_choices())->type_name("M");
     run_command->add_option("--dt", options.dt, "Step, s, or auto")->type_name("S");
@@ -64,29 +59,32 @@ int main(int count, char** arguments) {
     run_command
         ->add_option("--threads", options.threads, "Threads that share a step; the result is the same for any number")
         ->type_name("N");
-    run_command->add_option("--state", options.state, "Write the state of every mass")->type_name("FILE.csv");
-    run_command->add_option("--json", options.json, "Write the results as one JSON object")->type_name("FILE");
-    run_command->add_option("--csv", options.csv, "Write the results as a header and a row")->type_name("FILE");
+    take_as_path(
+        run_command->add_option("--state", options.state, "Write the state of every mass")->type_name("FILE.csv"));
+    take_as_path(
+        run_command->add_option("--json", options.json, "Write the results as one JSON object")->type_name("FILE"));
+    take_as_path(
+        run_command->add_option("--csv", options.csv, "Write the results as a header and a row")->type_name("FILE"));
     run_command->add_flag("--force", options.force, "Run it however long it is estimated to take");
     auto* scenes_command = app.add_subcommand("scenes", "List the shipped scenes");
 
     try {
-        app.parse(count, arguments);
-        return finish_output(scenes_command->parsed() ? list_scenes() : run(options));
+        parse(app, count, arguments);
+        return finish_output(program, scenes_command->parsed() ? list_scenes() : run(options));
     } catch (const CLI::Success& help_or_version) {
-        return finish_output(app.exit(help_or_version));
+        return finish_output(program, app.exit(help_or_version));
     } catch (const CLI::ParseError& error) {
         if (app.get_subcommands().empty()) {
             const std::string given =
                 count > 1 ? one_line(arguments[1]) + " is no command; " : "a command is missing; ";
-            return complain(given + "run or scenes is allowed (drapeau-lab --help says more)");
+            return refuse(given + "run or scenes is allowed (drapeau-lab --help says more)");
         }
-        return complain(one_line(error.what(), 300) + " (drapeau-lab --help says more)");
+        return refuse(explained(app, error) + " (drapeau-lab --help says more)");
     } catch (const InputError& error) {
-        return complain(error.what());
+        return refuse(error.what());
     } catch (const std::bad_alloc&) {
-        return complain("not enough memory for this scene");
+        return refuse("not enough memory for this scene");
     } catch (const std::exception& error) {  // what the file system may still say
-        return complain(one_line(error.what(), 300));
+        return refuse(one_line(error.what(), 300));
     }
 }

@@ -6,6 +6,7 @@
 #include "scene_file.hpp"
 #include "run/divergence.hpp"
 #include "run/simulation.hpp"
+#include "terminal.hpp"
 #include "text.hpp"
 #include "text_file.hpp"
 
@@ -14,7 +15,6 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -260,32 +260,13 @@ std::vector<Result> results_of(const Simulation& simulation, int threads, const 
     return results;
 }
 
-/// The same place by whatever name.
-bool is_same_file(const std::string& one, const std::string& other) {
-    namespace fs = std::filesystem;
-    std::error_code ignored;
-    return fs::equivalent(one, other, ignored) ||
-           fs::weakly_canonical(one, ignored) == fs::weakly_canonical(other, ignored);
-}
-
-/// Finds out before the work whether its results can be kept.
-void check_outputs(const RunOptions& options) {
-    struct Output {
-        std::string option, file;
-    };
-    std::vector<Output> named{{"the scene", find_scene(options.scene).string()}};
-    for (const Output& output : {Output{"--state", options.state}, {"--json", options.json}, {"--csv", options.csv}}) {
-        if (output.file.empty()) continue;
-        for (const Output& earlier : named) {
-            // A device takes what it is given, twice too.
-            std::error_code ignored;
-            if (std::filesystem::is_other(output.file, ignored) || !is_same_file(earlier.file, output.file)) continue;
-            throw InputError(output.option + " = " + one_line(output.file, 1000) + ": the same file as " +
-                             earlier.option);
-        }
-        check_writable(output.file);
-        named.push_back(output);
-    }
+/// The files to write, each with its option.
+std::vector<NamedFile> outputs_of(const RunOptions& options) {
+    std::vector<NamedFile> outputs;
+    for (const NamedFile& output :
+         {NamedFile{"--state", options.state}, {"--json", options.json}, {"--csv", options.csv}})
+        if (!output.name.empty()) outputs.push_back(output);
+    return outputs;
 }
 
 void write_results(const RunOptions& options, const std::vector<Result>& results) {
@@ -299,9 +280,8 @@ void write_results(const RunOptions& options, const std::vector<Result>& results
 
 /// The table goes to standard output, unless a file asked for goes there.
 std::FILE* place_of_table(const RunOptions& options) {
-    for (const std::string& file : {options.state, options.json, options.csv}) {
-        if (!file.empty() && is_same_file("/dev/stdout", file)) return stderr;
-    }
+    for (const NamedFile& output : outputs_of(options))
+        if (is_same_file("/dev/stdout", output.name)) return stderr;
     return stdout;
 }
 
@@ -313,7 +293,7 @@ int run(const RunOptions& options) {
         number_option("--seconds", options.seconds, options.seconds == "0" ? 0.0 : 1e-9, 1e6, "0 or ");
     const int threads = threads_option(options.threads);
     const Scene scene = scene_to_run(options);
-    check_outputs(options);
+    check_outputs({{"the scene", find_scene(options.scene).string()}}, outputs_of(options));
     const Plan plan = plan_for(scene, seconds, options.seconds);
     Scene planned = scene;
     planned.time.dt = plan.dt;
@@ -329,7 +309,7 @@ int run(const RunOptions& options) {
     if (const std::string remark = simulation.precision_remark(); !remark.empty())
         std::fprintf(stderr, "drapeau-lab: %s\n", remark.c_str());
     if (divergence) {
-        std::fprintf(stderr, "drapeau-lab: %s\n", divergence->message.c_str());
+        complain("drapeau-lab", divergence->message);
         return exit_diverged;
     }
     if (!options.state.empty()) write_state(options.state, simulation);

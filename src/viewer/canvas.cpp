@@ -13,7 +13,7 @@ Canvas::Canvas(int width, int height, int samples) : width_(width), height_(heig
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
     samples_ = std::min(samples_, most_samples);
     if (width > largest || height > largest)
-        throw InputError("--size " + std::to_string(width) + "x" + std::to_string(height) +
+        throw InputError("--size = " + std::to_string(width) + "x" + std::to_string(height) +
                          ": this machine draws at most " + std::to_string(largest) + " pixels a side");
     allocate();
 }

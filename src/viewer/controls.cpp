@@ -1,5 +1,7 @@
 #include "controls.hpp"
 
+#include "given_path.hpp"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -13,7 +15,7 @@ constexpr float double_click_pixels = 6.0f;
 constexpr float arrow_pixels = 20.0f;  // an arrow key turns as far as this drag
 
 void load_dropped(const std::string& file, Session& session) {
-    if (std::filesystem::path(file).extension() == ".toml")
+    if (ending_of(meant_path(file)) == ".toml")
         session.wishes.load_scene = file;
     else
         session.wishes.load_texture = file;

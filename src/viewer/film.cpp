@@ -1,6 +1,7 @@
 #include "film.hpp"
 
 #include "error.hpp"
+#include "given_path.hpp"
 #include "text.hpp"
 
 #include <algorithm>
@@ -22,10 +23,37 @@ namespace drapeau {
 
 namespace {
 
-// Even sides, as most codecs want; a palette of its own for GIF.
-std::string filter_for(const std::filesystem::path& file) {
-    if (file.extension() == ".gif") return "fps=25,split[a][b];[a]palettegen[p];[b][p]paletteuse";
-    return "pad=ceil(iw/2)*2:ceil(ih/2)*2,format=yuv420p";
+// Even sides, as most codecs want. Unless told, ffmpeg converts by BT.601 and says nothing of it.
+constexpr const char* video =
+    "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,"
+    "format=yuv420p,setparams=range=tv:colorspace=bt709:color_primaries=bt709:color_trc=bt709";
+constexpr const char* palette_of_its_own = "fps=25,split[a][b];[a]palettegen[p];[b][p]paletteuse";
+
+const std::vector<std::string> marks{"-color_range",     "tv",    "-colorspace", "bt709",
+                                     "-color_primaries", "bt709", "-color_trc",  "bt709"};
+const std::vector<std::string> h264{"-c:v", "libx264", "-crf", "18", "-movflags", "+faststart"};
+
+struct Format {
+    std::string ending;
+    std::string filter;
+    std::vector<std::string> codec;  // options; empty: ffmpeg's choice for the ending
+};
+
+const std::vector<Format> formats{{".mp4", video, h264},
+                                  {".mov", video, h264},
+                                  {".mkv", video, {"-c:v", "libx264", "-crf", "18"}},
+                                  {".webm", video, {}},
+                                  {".gif", palette_of_its_own, {}}};
+
+const Format& format_of(const std::filesystem::path& file) {
+    const auto found =
+        std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return f.ending == ending_of(file); });
+    if (found != formats.end()) return *found;
+    std::string allowed;
+    for (const Format& format : formats)
+        allowed += (allowed.empty() ? "" : &format == &formats.back() ? " or " : ", ") + format.ending;
+    throw InputError("--film = " + one_line(file.string(), 1000) + ": " + allowed +
+                     " is allowed, the ending chooses the format");
 }
 
 constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP};
@@ -49,8 +77,13 @@ void replace_handler(void (*from)(int), void (*to)(int)) {
 
 }  // namespace
 
+void check_film_name(const std::filesystem::path& file) {
+    format_of(file);
+}
+
 Film::Film(const std::filesystem::path& file, int width, int height, int frames_per_second)
     : file_(file), output_(file.string()), width_(width), height_(height) {
+    const Format& format = format_of(file);
     complaints_ = memfd_create("ffmpeg", MFD_CLOEXEC);
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw InputError("--film: no pipe to ffmpeg could be made");
@@ -71,9 +104,9 @@ Film::Film(const std::filesystem::path& file, int width, int height, int frames_
                                    "-i",
                                    "pipe:0",
                                    "-vf",
-                                   filter_for(file)};
-    if (file.extension() == ".mp4")
-        words.insert(words.end(), {"-c:v", "libx264", "-crf", "18", "-movflags", "+faststart"});
+                                   format.filter};
+    words.insert(words.end(), format.codec.begin(), format.codec.end());
+    if (format.filter == video) words.insert(words.end(), marks.begin(), marks.end());
     words.push_back(output_.path().string());
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
@@ -122,7 +155,7 @@ void Film::fail() {
     const ssize_t count = pread(complaints_, said.data(), said.size(), 0);
     said.resize(count > 0 ? std::size_t(count) : 0);
     said.resize(std::min(said.find('\n'), said.size()));
-    throw InputError("--film " + file_.string() + ": ffmpeg could not make it" +
+    throw InputError("--film = " + one_line(file_.string(), 1000) + ": ffmpeg could not make it" +
                      (said.empty() ? "" : ": " + one_line(said, 300)));
 }
 

@@ -1,5 +1,5 @@
 // Film: frames handed to ffmpeg as they are drawn; the file's ending chooses the format. The film appears once it is
-// whole.
+// whole. Its colours are those of the pictures: converted by BT.709, as players of HD take them to be, and marked so.
 #pragma once
 
 #include "image/image.hpp"
@@ -10,6 +10,9 @@
 #include <sys/types.h>
 
 namespace drapeau {
+
+/// Throws InputError if the ending of the name, in capitals or not, is that of no kind of film made here.
+void check_film_name(const std::filesystem::path& file);
 
 class Film {
 public:

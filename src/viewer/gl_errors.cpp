@@ -1,8 +1,11 @@
 #include "gl_errors.hpp"
 
+#include "terminal.hpp"
+
 #include <GL/glew.h>
 
 #include <cstdio>
+#include <string>
 
 namespace drapeau {
 
@@ -34,7 +37,7 @@ void GlErrors::poll() {
 
 void GlErrors::add(const char* message) {
     ++count_;
-    std::fprintf(stderr, "drapeau: OpenGL: %s\n", message);
+    complain("drapeau", std::string("OpenGL: ") + message);
 }
 
 }  // namespace drapeau

@@ -3,9 +3,9 @@
 #include "viewer.hpp"
 
 #include "error.hpp"
+#include "terminal.hpp"
 
 #include <csignal>
-#include <cstdio>
 #include <exception>
 #include <new>
 
@@ -24,13 +24,13 @@ int main(int count, char** words) {
         }
         return viewer.exit_status();
     } catch (const drapeau::InputError& wrong) {
-        std::fprintf(stderr, "drapeau: %s\n", wrong.what());
+        drapeau::complain("drapeau", wrong.what());
         return 2;
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "drapeau: not enough memory\n");
+        drapeau::complain("drapeau", "not enough memory");
         return 1;
     } catch (const std::exception& failure) {
-        std::fprintf(stderr, "drapeau: %s\n", failure.what());
+        drapeau::complain("drapeau", failure.what());
         return 1;
     }
 }

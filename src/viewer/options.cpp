@@ -1,10 +1,12 @@
 #include "options.hpp"
 
+#include "command_line.hpp"
 #include "error.hpp"
-#include "output_file.hpp"
+#include "film.hpp"
+#include "given_path.hpp"
 #include "scene_file.hpp"
-
-#include <CLI/CLI.hpp>
+#include "terminal.hpp"
+#include "text.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -16,6 +18,11 @@ namespace {
 constexpr int most_frames = 1000000;
 constexpr int least_side = 16, most_side = 16384;  // pixels
 
+constexpr const char* notes =
+    "In the window, F1 lists the keys.\n"
+    "Example: drapeau storm --frames 600 --film storm.mp4\n"
+    "Exit status: 0 good, 1 a failure, 2 bad input, 3 a run with --frames that diverged.";
+
 /// A whole number and nothing else, or -1.
 long long whole_number(const std::string& text) {
     if (text.empty() || text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos) return -1;
@@ -25,7 +32,8 @@ long long whole_number(const std::string& text) {
 int frames_from(const std::string& text) {
     const long long frames = whole_number(text);
     if (frames < 1 || frames > most_frames)
-        throw InputError("--frames " + text + ": a whole number from 1 to " + std::to_string(most_frames));
+        throw InputError("--frames = " + one_line(text, 60) + ": a whole number from 1 to " +
+                         std::to_string(most_frames));
     return int(frames);
 }
 
@@ -34,10 +42,16 @@ void size_from(const std::string& text, Options& options) {
     const long long width = whole_number(text.substr(0, cross));
     const long long height = cross == std::string::npos ? -1 : whole_number(text.substr(cross + 1));
     if (std::min(width, height) < least_side || std::max(width, height) > most_side)
-        throw InputError("--size " + text + ": WIDTHxHEIGHT, each from " + std::to_string(least_side) + " to " +
-                         std::to_string(most_side) + " pixels");
+        throw InputError("--size = " + one_line(text, 60) + ": WIDTHxHEIGHT, each from " + std::to_string(least_side) +
+                         " to " + std::to_string(most_side) + " pixels");
     options.width = int(width);
     options.height = int(height);
+}
+
+/// A name without an ending says nothing of its format: it is taken as it is.
+void check_picture_name(const std::string& file) {
+    if (const std::string ending = ending_of(file); !ending.empty() && ending != ".png")
+        throw InputError("--screenshot = " + one_line(file, 1000) + ": .png is allowed, the format of the picture");
 }
 
 void check(const Options& options) {
@@ -47,8 +61,8 @@ void check(const Options& options) {
     if (options.azimuth && !std::isfinite(*options.azimuth)) throw InputError("--azimuth: a number of degrees");
     if (options.elevation && !(std::abs(*options.elevation) <= 85.0f))
         throw InputError("--elevation: degrees from -85 to 85");
-    if (!options.screenshot.empty()) check_writable(options.screenshot);
-    if (!options.film.empty()) check_writable(options.film);
+    if (!options.screenshot.empty()) check_picture_name(options.screenshot);
+    if (!options.film.empty()) check_film_name(options.film);
 }
 
 }  // namespace
@@ -57,15 +71,18 @@ std::optional<int> read_options(int count, char** words, Options& options) {
     CLI::App app("drapeau: a flag of masses and springs that flies, and says how far it can be trusted", "drapeau");
     std::string frames, size;
     bool scene_list = false;
-    app.add_option("SCENE", options.scene, "a scene file, or the name of a shipped scene (report)");
+    take_as_path(app.add_option("SCENE", options.scene, "a scene file, or the name of a shipped scene (report)"));
     app.add_option("--frames", frames, "draw N frames of 1/60 s simulated time each, then exit; repeatable exactly")
         ->type_name("N");
-    app.add_option("--screenshot", options.screenshot, "with --frames: the last frame as PNG")->type_name("FILE");
-    app.add_option("--film", options.film, "with --frames: all of them as mp4, webm or gif (needs ffmpeg)")
-        ->type_name("FILE");
+    take_as_path(app.add_option("--screenshot", options.screenshot, "with --frames: the last frame as PNG")
+                     ->type_name("FILE.png"));
+    take_as_path(app.add_option("--film", options.film,
+                                "with --frames: all of them, as the ending says: mp4, mov, mkv, webm or gif (needs "
+                                "ffmpeg)")
+                     ->type_name("FILE"));
     app.add_option("--size", size, "of the window or picture, in pixels (1280x800)")->type_name("WxH");
-    app.add_option("--texture", options.texture, "an image for the flag, or the name of a shipped one")
-        ->type_name("FILE");
+    take_as_path(app.add_option("--texture", options.texture, "an image for the flag, or the name of a shipped one")
+                     ->type_name("FILE"));
     app.add_flag("--hide-ui", options.hide_ui, "no panel");
     app.add_flag("--springs", options.springs, "show the springs");
     app.add_flag("--forces", options.forces, "colour the springs by their force");
@@ -75,23 +92,24 @@ std::optional<int> read_options(int count, char** words, Options& options) {
     app.add_option("--elevation", options.elevation, "seen from this many degrees above")->type_name("DEG");
     app.add_flag("--scene-list", scene_list, "list the shipped scenes");
     app.set_version_flag("--version", "drapeau " DRAPEAU_VERSION);
+    app.footer(notes);
     try {
-        app.parse(count, words);
+        parse(app, count, words);
         if (!frames.empty()) options.frames = frames_from(frames);
         if (!size.empty()) size_from(size, options);
         check(options);
     } catch (const CLI::Success& done) {
-        return app.exit(done);
+        return finish_output("drapeau", app.exit(done));
     } catch (const CLI::ParseError& wrong) {
-        std::fprintf(stderr, "drapeau: %s (drapeau --help lists what there is)\n", wrong.what());
+        complain("drapeau", explained(app, wrong) + " (drapeau --help lists what there is)");
         return 2;
     } catch (const InputError& wrong) {
-        std::fprintf(stderr, "drapeau: %s\n", wrong.what());
+        complain("drapeau", wrong.what());
         return 2;
     }
     if (!scene_list) return std::nullopt;
     for (const std::string& name : shipped_scenes()) std::puts(name.c_str());
-    return 0;
+    return finish_output("drapeau", 0);
 }
 
 }  // namespace drapeau

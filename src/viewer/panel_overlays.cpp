@@ -54,7 +54,7 @@ void draw_message(Session& session, Widgets& widgets) {
     const ImVec4 color = message.trouble ? ImVec4(1.0f, 0.72f, 0.45f, 1.0f) : ImVec4(0.66f, 0.90f, 0.72f, 1.0f);
     ImGui::PushTextWrapPos(width - 30.0f);
     ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::TextUnformatted(message.text.c_str());
+    ImGui::TextUnformatted(message.shown().c_str());
     ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
     const auto& divergence = session.status.divergence;

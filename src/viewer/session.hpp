@@ -4,6 +4,7 @@
 #include "camera.hpp"
 #include "run/simulation.hpp"
 #include "scene.hpp"
+#include "text.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -31,6 +32,9 @@ struct Message {
     bool trouble = true;
     double seconds_left = 0.0;  // it goes by itself; 0: it stays until closed
     Cause cause = Cause::deed;  // of what the user did, of a scene that was refused, of a run that stands
+
+    /// The text as the box shows it, whatever names it holds.
+    std::string shown() const { return printable(text); }
 };
 
 /// What the panels show of the run.

@@ -4,13 +4,15 @@
 #include "stage.hpp"
 
 #include "error.hpp"
+#include "given_path.hpp"
+#include "output_file.hpp"
 #include "scene_file.hpp"
+#include "terminal.hpp"
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <thread>
 
@@ -27,13 +29,8 @@ bool debug_wanted() {
     return std::getenv("DRAPEAU_UI_MAP") || (debug && *debug && *debug != '0');
 }
 
-WindowSettings window_settings(const Options& options) {
-    const bool into_files = options.frames > 0 && !(options.screenshot.empty() && options.film.empty());
-    return {.width = options.width,
-            .height = options.height,
-            .visible = !into_files,
-            .debug = debug_wanted(),
-            .vsync = options.frames == 0};
+bool into_files(const Options& options) {
+    return options.frames > 0 && !(options.screenshot.empty() && options.film.empty());
 }
 
 float pixels_per_unit(const Window& window) {
@@ -47,10 +44,17 @@ void preset_view(const Options& options, ViewSettings& view) {
     if (options.no_texture) view.texture = false;
 }
 
+/// The scene with what the command line says instead, and whether the files asked for can be written.
 LoadedScene loaded_for(const Options& options) {
     LoadedScene loaded = load_scene(options.scene);
+    std::vector<NamedFile> inputs{{"the scene", loaded.file.string()}}, outputs;
+    if (!loaded.texture_file.empty()) inputs.push_back({"the scene's texture", loaded.texture_file.string()});
+    if (!options.texture.empty()) inputs.push_back({"--texture", find_picture(options.texture).string()});
+    if (!options.screenshot.empty()) outputs.push_back({"--screenshot", options.screenshot});
+    if (!options.film.empty()) outputs.push_back({"--film", options.film});
+    check_outputs(inputs, outputs);
     if (!options.texture.empty()) {
-        loaded.texture_file = find_image(options.texture);
+        loaded.texture_file = find_picture(options.texture);
         loaded.image = load_image(loaded.texture_file);
         loaded.scene.flag.texture = texture_name(loaded.texture_file);
     }
@@ -72,14 +76,14 @@ Viewer::Viewer(const Options& options) : Viewer(options, loaded_for(options)) {}
 
 Viewer::Viewer(const Options& options, LoadedScene loaded)
     : options_(options),
-      window_(window_settings(options)),
+      window_({.debug = debug_wanted(), .vsync = options.frames == 0}),
       gl_errors_(debug_wanted()),
       gui_(window_.handle(), options.frames > 0 ? 1.0f : window_.content_scale(),
            options.frames > 0 ? 1.0f : pixels_per_unit(window_)),
-      canvas_(options.frames > 0 ? options.width : window_.framebuffer_size().x,
-              options.frames > 0 ? options.height : window_.framebuffer_size().y, samples),
+      canvas_(options.width, options.height, samples),
+      film_(options.film.empty() ? nullptr : std::make_unique<Film>(options.film, options.width, options.height, 60)),
       simulation_(Simulation(loaded.scene), simulation_threads(std::thread::hardware_concurrency())) {
-    if (!options.film.empty()) film_ = std::make_unique<Film>(options.film, options.width, options.height, 60);
+    if (!into_files(options)) window_.show(options.width, options.height);
     session_.scene_names = shipped_scenes();
     session_.texture_files = shipped_images();
     session_.panel_shown = !options.hide_ui;
@@ -144,14 +148,15 @@ void Viewer::load_wanted() {
     const Wishes wishes = session_.wishes;
     try {
         if (wishes.load_texture) {
-            const bool none = wishes.load_texture->empty();
-            const auto file = none ? std::filesystem::path() : find_image(*wishes.load_texture);
+            const bool none = meant_path(*wishes.load_texture).empty();
+            const auto file = none ? std::filesystem::path() : find_picture(*wishes.load_texture);
             set_image(file, none ? std::nullopt : std::optional(load_image(file)));
             session_.scene.flag.texture = texture_name(file);
             if (!none) session_.scene.view.texture = true;
         }
         if (wishes.load_scene) opening_ = load_scene(*wishes.load_scene);
-        if (wishes.save_scene) say(session_, "Saved " + save_scene(session_.scene, *wishes.save_scene).string(), false);
+        if (wishes.save_scene)
+            say(session_, "Saved " + save_scene(session_.scene, meant_path(*wishes.save_scene)).string(), false);
     } catch (const InputError& wrong) {
         say(session_, wrong.what(), true);
     }
@@ -221,8 +226,7 @@ void Viewer::receive(double passed) {
         hear_of_run();
         renderer_.upload(moment_.snapshot);
         force_scale_.follow(moment_.readings.rms_spring_force);
-        if (repeatable() && moment_.stands() && !status.stands())
-            std::fprintf(stderr, "drapeau: %s\n", session_.message.text.c_str());
+        if (repeatable() && moment_.stands() && !status.stands()) complain("drapeau", session_.message.text);
         status.readings = moment_.readings;
         status.divergence = moment_.divergence;
         status.failure = moment_.failure;

@@ -62,8 +62,8 @@ private:
     Gui gui_;
     Canvas canvas_;
     Renderer renderer_;
-    SimulationThread simulation_;
     std::unique_ptr<Film> film_;
+    SimulationThread simulation_;
 
     Session session_;
     PanelMemory panel_memory_;

@@ -141,7 +141,7 @@ void Viewer::write_map() {
     map_.state("columns", status.columns);
     map_.state("rows", status.rows);
     map_.state("texture", session_.texture_file.string());
-    map_.state("message", session_.message.text);
+    map_.state("message", session_.message.shown());
     map_.state("azimuth", double(camera_.azimuth));
     map_.state("elevation", double(camera_.elevation));
     map_.state("distance", double(camera_.distance(framing_, session_.view_area)));

@@ -15,6 +15,8 @@ namespace {
 
 using Kind = InputEvent::Kind;
 
+constexpr int hidden_side = 64;  // pixels
+
 Key key_of(int code) {
     switch (code) {
         case GLFW_KEY_SPACE:
@@ -125,9 +127,9 @@ Window::Window(const WindowSettings& settings) {
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, settings.debug);
-    glfwWindowHint(GLFW_VISIBLE, settings.visible);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the scene is drawn into a canvas with a depth of its own
-    window_ = glfwCreateWindow(settings.width, settings.height, "drapeau", nullptr, nullptr);
+    window_ = glfwCreateWindow(hidden_side, hidden_side, "drapeau", nullptr, nullptr);
     if (!window_) {
         const std::string reason = last_error();
         glfwTerminate();
@@ -151,12 +153,17 @@ Window::Window(const WindowSettings& settings) {
     glfwSetCursorPosCallback(window_, on_move);
     glfwSetScrollCallback(window_, on_scroll);
     glfwSetDropCallback(window_, on_drop);
-    glfwSetWindowSizeLimits(window_, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
 }
 
 Window::~Window() {
     glfwDestroyWindow(window_);
     glfwTerminate();
+}
+
+void Window::show(int width, int height) {
+    glfwSetWindowSize(window_, width, height);
+    glfwSetWindowSizeLimits(window_, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwShowWindow(window_);
 }
 
 bool Window::open() const {

@@ -13,9 +13,6 @@ struct GLFWwindow;
 namespace drapeau {
 
 struct WindowSettings {
-    int width = 1280;
-    int height = 800;
-    bool visible = true;
     bool debug = false;  // an OpenGL debug context
     bool vsync = true;
 };
@@ -27,6 +24,9 @@ public:
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
+
+    /// Until then the window is hidden and small: one of a size that cannot be drawn would take long to be made.
+    void show(int width, int height);
 
     bool open() const;
     void close();

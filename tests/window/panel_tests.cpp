@@ -88,6 +88,34 @@ TEST_CASE_METHOD(StillFlag, "a broken scene gives a message and leaves the flag 
     app.check_healthy();
 }
 
+TEST_CASE_METHOD(StillFlag, "a path in a field means what it seems to mean") {
+    app.click("Page: Time");
+    app.show("Save as");
+    app.type("Save as", "'~/t1' ");
+    app.wait_until("the scene to be saved", [](const Look& look) {
+        const std::string& said = look.text("message");
+        return said.starts_with("Saved /") && said.ends_with("/t1.toml");
+    });
+    app.press("Escape");
+    for (const std::string name : {"t1", "~/t1", "'t1.toml'", "t1 "}) {
+        CAPTURE(name);
+        app.show("Scene file");
+        app.type("Scene file", "drum");
+        app.wait_until("the drum", [](const Look& look) { return look.text("scene") == "Drum"; });
+        app.type("Scene file", name);
+        app.wait_until("the scene saved", [](const Look& look) { return look.text("scene") == "Still"; });
+    }
+    app.click("Page: Flag");
+    app.show("Image file");
+    app.type("Image file", "'japan' ");
+    app.wait_until("the image", [](const Look& look) { return look.text("texture").ends_with("japan.png"); });
+    app.type("Image file", "japn");
+    app.wait_until("a suggestion", [](const Look& look) {
+        return look.text("message").find("did you mean japan?") != std::string::npos;
+    });
+    app.check_healthy();
+}
+
 TEST_CASE_METHOD(StillFlag, "an image file lies on the flag the right way up and the right way round") {
     app.show("Image file");
     app.type("Image file", flag_file("test-pattern.png"));

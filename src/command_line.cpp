@@ -1,0 +1,65 @@
+#include "command_line.hpp"
+
+#include "given_path.hpp"
+#include "text.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+namespace drapeau {
+
+namespace {
+
+void refuse_empty_values(CLI::App& app) {
+    const CLI::Validator not_empty(
+        [](std::string& value) { return std::string(value.empty() ? "an empty value" : ""); }, "");
+    for (CLI::Option* option : app.get_options())
+        if (option->get_items_expected_max() > 0) option->check(not_empty);
+    for (CLI::App* command : app.get_subcommands({})) refuse_empty_values(*command);
+}
+
+/// The words after the program's name. "--film=" is "--film" and an empty value: CLI11 would take the next word for it.
+std::vector<std::string> words_of(int count, char** words) {
+    std::vector<std::string> all;
+    bool options_over = false;
+    for (int i = 1; i < count; ++i) {
+        std::string word = words[i];
+        options_over = options_over || word == "--";
+        const bool cut_off = !options_over && word.starts_with("--") && word.find('=') == word.size() - 1;
+        if (cut_off) word.pop_back();
+        all.push_back(word);
+        if (cut_off) all.emplace_back();
+    }
+    return all;
+}
+
+/// Whether a word that is no option may be a file's name all the same.
+bool is_file_like(const std::string& word) {
+    std::error_code ignored;
+    return word.starts_with('-') && (std::filesystem::exists(word, ignored) || ending_of(word) == ".toml");
+}
+
+}  // namespace
+
+void take_as_path(CLI::Option* option) {
+    option->transform([](const std::string& given) { return meant_path(given); }, "");
+}
+
+void parse(CLI::App& app, int count, char** words) {
+    refuse_empty_values(app);
+    std::vector<std::string> all = words_of(count, words);
+    std::reverse(all.begin(), all.end());  // as CLI11 takes them
+    app.parse(all);
+}
+
+std::string explained(const CLI::App& app, const CLI::ParseError& error) {
+    for (const std::string& word : app.remaining(true)) {
+        if (!is_file_like(word)) continue;
+        const std::string name = one_line(word);
+        return name + " begins with a dash: a file of that name is given as ./" + name + " or after --";
+    }
+    return one_line(error.what(), 300);
+}
+
+}  // namespace drapeau
