@@ -30,7 +30,7 @@ struct Kind {
 };
 
 const Kind scenes{"scene", "a scene file", "scenes", {".toml"}};
-const Kind pictures{"image", "an image", "flags", {".png", ".jpg", ".jpeg", ".bmp", ".gif"}};
+const Kind pictures{"image", "an image", "flags", {".png", ".jpg", ".jpeg", ".webp", ".svg", ".gif", ".bmp"}};
 
 /// The shipped files of one kind, sorted, the scene that the program begins with first.
 std::vector<fs::path> shipped(const Kind& kind) {
@@ -126,6 +126,10 @@ fs::path find_scene(const std::string& path_or_name) {
 
 fs::path find_picture(const std::string& path_or_name) {
     return find_or_refuse(pictures, path_or_name);
+}
+
+std::vector<fs::path> shipped_pictures() {
+    return shipped(pictures);
 }
 
 fs::path find_texture(const std::string& texture, const fs::path& scene_file) {

@@ -226,7 +226,7 @@ inline std::string allowed_text(double, const Range& range) {
     return "a number" + range_text(range) + " is allowed";
 }
 inline std::string allowed_text(const std::string&, const Range&) {
-    return "one line of text of at most 200 bytes in quotes is allowed";
+    return "one line of text of at most 4096 bytes in quotes is allowed";
 }
 inline std::string allowed_text(const glm::dvec3&, const Range& range) {
     return "three numbers" + range_text(range) + " are allowed, such as [0, 1.5, 0]";
@@ -259,7 +259,7 @@ inline bool is_allowed(double value, const Range& range) {
     return range.contains(value);
 }
 inline bool is_allowed(const std::string& value, const Range&) {
-    return value.size() <= 200 && is_utf8(value) && one_line(value, 200) == value;
+    return value.size() <= 4096 && is_utf8(value) && one_line(value, 4096) == value;
 }
 inline bool is_allowed(const glm::dvec3& value, const Range& range) {
     return range.contains(value.x) && range.contains(value.y) && range.contains(value.z);

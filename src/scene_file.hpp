@@ -35,6 +35,9 @@ std::filesystem::path find_picture(const std::string& path_or_name);
 /// Names of the shipped scenes, "report" first.
 std::vector<std::string> shipped_scenes();
 
+/// The images in assets/flags, sorted.
+std::vector<std::filesystem::path> shipped_pictures();
+
 /// The image that `texture` of a scene read from `scene_file` means: beside the scene, then in assets/flags. Throws
 /// InputError.
 std::filesystem::path find_texture(const std::string& texture, const std::filesystem::path& scene_file);

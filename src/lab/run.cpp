@@ -306,8 +306,7 @@ int run(const RunOptions& options) {
     const auto divergence = carry_out(plan, simulation, cost, options.force);
     const auto results = results_of(simulation, threads, cost, divergence);
     write_results(options, results);
-    if (const std::string remark = simulation.precision_remark(); !remark.empty())
-        std::fprintf(stderr, "drapeau-lab: %s\n", remark.c_str());
+    if (const std::string remark = simulation.precision_remark(); !remark.empty()) complain("drapeau-lab", remark);
     if (divergence) {
         complain("drapeau-lab", divergence->message);
         return exit_diverged;

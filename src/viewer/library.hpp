@@ -18,21 +18,23 @@ struct LoadedScene {
     std::filesystem::path file;
     std::filesystem::path texture_file;  // empty: the scene names none
     std::optional<Image> image;
+    std::string fault;  // why the image that the scene names is not there; empty if it is, or none is named
 };
 
+/// Throws InputError where the scene cannot be read. An image that cannot be is told in `fault`: the flag flies plain.
 LoadedScene load_scene(const std::string& path_or_name);
 
-/// A path to an image, or the name of a shipped one, with or without its ending.
-std::filesystem::path find_image(const std::string& path_or_name);
+/// How a scene file in `folder` should name this image: shipped ones by name, those in the folder or below it by the
+/// way from there, so that both may be moved together, others by their full path. Empty if a scene file cannot hold it.
+std::string texture_name(const std::filesystem::path& image, const std::filesystem::path& folder = {});
 
-/// The images in assets/flags, sorted.
-std::vector<std::filesystem::path> shipped_images();
+struct Saved {
+    std::filesystem::path file;  // its full path
+    bool without_image = false;  // the image's path is none that a scene file can hold
+};
 
-/// How a scene file should name this image: shipped ones by name, others by their full path.
-std::string texture_name(const std::filesystem::path& image);
-
-/// Writes the scene as TOML, whole or not at all; gives the file's full path.
-std::filesystem::path save_scene(const Scene& scene, const std::string& path);
+/// Writes the scene as TOML, whole or not at all, naming `image` (empty: as the scene has it) as found from there.
+Saved save_scene(Scene scene, const std::string& path, const std::filesystem::path& image = {});
 
 /// The first of drapeau-001.png, drapeau-002.png ... in the working directory that is not there yet.
 std::filesystem::path free_screenshot_name();

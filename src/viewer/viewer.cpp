@@ -56,6 +56,7 @@ LoadedScene loaded_for(const Options& options) {
     if (!options.texture.empty()) {
         loaded.texture_file = find_picture(options.texture);
         loaded.image = load_image(loaded.texture_file);
+        loaded.fault.clear();
         loaded.scene.flag.texture = texture_name(loaded.texture_file);
     }
     preset_view(options, loaded.scene.view);
@@ -85,7 +86,7 @@ Viewer::Viewer(const Options& options, LoadedScene loaded)
       simulation_(Simulation(loaded.scene), simulation_threads(std::thread::hardware_concurrency())) {
     if (!into_files(options)) window_.show(options.width, options.height);
     session_.scene_names = shipped_scenes();
-    session_.texture_files = shipped_images();
+    session_.texture_files = shipped_pictures();
     session_.panel_shown = !options.hide_ui;
     session_.status.clock = !repeatable();
     if (options.azimuth) camera_.azimuth = *options.azimuth;
@@ -155,8 +156,11 @@ void Viewer::load_wanted() {
             if (!none) session_.scene.view.texture = true;
         }
         if (wishes.load_scene) opening_ = load_scene(*wishes.load_scene);
-        if (wishes.save_scene)
-            say(session_, "Saved " + save_scene(session_.scene, meant_path(*wishes.save_scene)).string(), false);
+        if (wishes.save_scene) {
+            const Saved saved = save_scene(session_.scene, meant_path(*wishes.save_scene), session_.texture_file);
+            const char* without = " without its image: a scene file holds no such file name";
+            say(session_, "Saved " + saved.file.string() + (saved.without_image ? without : ""), saved.without_image);
+        }
     } catch (const InputError& wrong) {
         say(session_, wrong.what(), true);
     }
@@ -189,6 +193,8 @@ void Viewer::adopt(const LoadedScene& loaded) {
     session_.diagonal_stiffness =
         loaded.scene.springs.diagonal_stiffness.value_or(0.5 * loaded.scene.springs.stiffness);
     set_image(loaded.texture_file, loaded.image);
+    if (!loaded.fault.empty()) say(session_, loaded.fault, true);
+    if (!loaded.fault.empty() && repeatable()) complain("drapeau", loaded.fault);
     window_.set_title("drapeau \xe2\x80\x93 " + loaded.scene.name);
 }
 
