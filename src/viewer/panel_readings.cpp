@@ -66,7 +66,7 @@ std::vector<Remark> remarks_on(const Session& session) {
     if (s.clock && s.times_slower() > slow) {
         const bool forward = session.scene.time.method == method_id<ForwardEuler>;
         remarks.push_back({"Slow",
-                           quantity(s.dt, "s") + " steps: " + written("%.2g", s.times_slower()) +
+                           quantity(s.dt, "s") + " steps: " + rounded(s.times_slower(), 2) +
                                " times slower than real time. " +
                                (forward ? "Semi-implicit-euler takes far larger ones."
                                         : "A coarser grid, softer springs or more mass allow larger steps."),

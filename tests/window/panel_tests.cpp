@@ -207,14 +207,19 @@ TEST_CASE_METHOD(StillFlag, "a number may be typed with a decimal comma") {
 
 TEST_CASE("choosing forward Euler says how slow it is and what helps, and the flag goes on as it was") {
     const Screen screen;
-    App app(screen, {"report", "--size", "1280x800"});
+    App app(screen, {"report", "--size", "900x800"});
     app.click("Page: Time");
     app.click("Method");
+    app.wait_until("the list", [](const Look& look) { return look.has("Method: forward-euler"); });
+    app.settle();
     app.click("Method: forward-euler");
-    const Look slow = app.wait_until("the remark", [](const Look& look) { return look.has("Slow"); });
-    CHECK(slow.controls.at("Slow").value.find("slower than real time") != std::string::npos);
-    CHECK(slow.controls.at("Slow").value.find("Semi-implicit-euler") != std::string::npos);
-    CHECK(slow.has("Precision remark"));
+    app.wait_until("the method", [](const Look& look) {
+        return look.has("Method") && look.controls.at("Method").value == "forward-euler";
+    });
+    const Look slow = app.wait_until("the remark", [](const Look& look) { return look.has("Reading: Slow"); });
+    CHECK(slow.controls.at("Reading: Slow").value.find("slower than real time") != std::string::npos);
+    CHECK(slow.controls.at("Reading: Slow").value.find("Semi-implicit-euler") != std::string::npos);
+    CHECK(slow.has("Reading: Precision remark"));
     app.check_healthy();
 }
 
