@@ -541,3 +541,27 @@ TEST_CASE("paths mean what they seem to mean, for scenes and for outputs") {
     fs::create_directory(bench.path / "storm");
     CHECK(bench.run("run storm --seconds 0.01").status == 0);
 }
+
+TEST_CASE("what float cannot honour is computed in double or refused, and that is said") {
+    const Bench bench;
+    // With "auto" the program chooses, whether the time is a whole number of batches or not.
+    for (const std::string seconds : {"0.002", "0.0166666666666666667"}) {
+        const auto forward = bench.run("run report --method forward-euler --json r.json --seconds " + seconds);
+        REQUIRE(forward.status == 0);
+        CHECK(has(forward.messages, "computed in double: float cannot honour steps of"));
+        CHECK(has(contents(bench.path / "r.json"), "\"precision\": \"double\""));
+    }
+    CHECK(bench.run("run report --seconds 0.1").messages.empty());
+    const auto warned = bench.run("run report --seconds 0.0002 --dt 1e-7");
+    CHECK(warned.status == 0);
+    CHECK(has(warned.messages, "choose double"));
+    check_refused(bench.run("run report --seconds 0.00002 --dt 1e-8"), "time.precision = \"double\"");
+    CHECK(bench.run("run report --seconds 0.00002 --dt 1e-8 --precision double").status == 0);
+    // A step that nobody wrote is not what a message blames.
+    bench.write("stiff.toml",
+                "[flag]\n[springs]\nmass = 1e-4\nstiffness = 1e7\ndrag = 6e-4\n[time]\n"
+                "method = \"forward-euler\"\n");
+    const auto stiff = bench.run("run stiff.toml --seconds 0.01");
+    CHECK(stiff.status == 2);
+    CHECK(has(stiff.messages, "time.dt = \"auto\": forward-euler needs steps of"));
+}

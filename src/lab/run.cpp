@@ -75,7 +75,9 @@ std::string decimal(double value) {
 struct Plan {
     long long batches = 0;
     long long steps = 0;
-    std::optional<double> dt;  // s, of those steps
+    std::optional<double> dt;              // s, of those steps
+    std::optional<Precision> precision{};  // that those steps need, the scene's dt being automatic
+    std::string remark{};                  // why
 };
 
 Plan plan_for(const Scene& scene, double seconds, const std::string& given_seconds) {
@@ -88,8 +90,14 @@ Plan plan_for(const Scene& scene, double seconds, const std::string& given_secon
     }
     if (const auto batches = whole_count(seconds, batch_seconds)) return {*batches, 0, {}};
     // Equal steps, none longer than the automatic one.
-    const double steps = std::ceil(seconds / Simulation(scene).dt());
-    return {0, std::llround(std::min(steps, 9e18)), seconds / steps};
+    const Simulation automatic(scene);
+    const double steps = std::ceil(seconds / automatic.dt()), dt = seconds / steps;
+    constexpr double shortest_dt = 1e-9;  // s, that a scene may give
+    if (dt < shortest_dt)
+        throw InputError("time.dt = \"auto\": " + std::string(name_of(scene.time.method)) + " needs steps of " +
+                         quantity(dt, "s") + " for these springs and masses, and 1 ns is the least; choose " +
+                         "semi-implicit-euler, softer springs or more drag");
+    return {0, std::llround(std::min(steps, 9e18)), dt, automatic.precision(), automatic.precision_remark()};
 }
 
 constexpr double longest_run = 24.0 * 3600.0;  // s
@@ -297,6 +305,7 @@ int run(const RunOptions& options) {
     const Plan plan = plan_for(scene, seconds, options.seconds);
     Scene planned = scene;
     planned.time.dt = plan.dt;
+    if (plan.precision) planned.time.precision = *plan.precision;
     Simulation simulation(planned);
     if (plan.dt) simulation.use_exact_dt();
     if (!options.force) check_duration(scene, simulation, seconds);
@@ -306,7 +315,8 @@ int run(const RunOptions& options) {
     const auto divergence = carry_out(plan, simulation, cost, options.force);
     const auto results = results_of(simulation, threads, cost, divergence);
     write_results(options, results);
-    if (const std::string remark = simulation.precision_remark(); !remark.empty()) complain("drapeau-lab", remark);
+    const std::string remark = plan.remark.empty() ? simulation.precision_remark() : plan.remark;
+    if (!remark.empty()) complain("drapeau-lab", remark);
     if (divergence) {
         complain("drapeau-lab", divergence->message);
         return exit_diverged;
