@@ -117,6 +117,24 @@ TEST_CASE("A strength set while a flag flies acts from the next step on, and not
     CHECK(flag.time() == 200 * 1e-3);
 }
 
+TEST_CASE("A strength that is set changes neither where masses are nor how fast they move", "[physics]") {
+    using Windy = Flag<double, Leapfrog, DiagonalSprings, SpringDamping, Gravity, AirDrag>;
+    Windy flag(Grid{12, 9, 0.05, 0.05}, Attach::sides, {.mass = 1e-3, .stiffness = 200}, DiagonalSprings{100},
+               SpringDamping{0.002}, Gravity{}, AirDrag{6e-4});
+    for (const bool given : {false, true}) {
+        if (given) flag.set_step(flag.dt());
+        flag.advance(1000);
+        const auto before = flag.state();
+        flag.set(Cloth{.mass = 1e-3, .stiffness = given ? 200.0 : 3200.0});
+        const auto after = flag.state();
+        for (int j = 0; j < 9; ++j)
+            for (int i = 0; i < 12; ++i) {
+                CHECK(after.position.at(i, j) == before.position.at(i, j));
+                CHECK(after.velocity.at(i, j) == before.velocity.at(i, j));
+            }
+    }
+}
+
 TEST_CASE("An automatic step follows the strengths that are set, a given one does not", "[physics]") {
     Flag<double, SemiImplicitEuler, AirDrag> flag(Grid{4, 3, 0.1, 0.1}, Attach::hoist, {.mass = 0.01, .stiffness = 100},
                                                   AirDrag{0.01});

@@ -211,7 +211,7 @@ TEST_CASE("a folder without permission, or none at all, is refused in one line a
     CHECK_THROWS_WITH(write_text(folder / "missing/new.txt", "new"),
                       folder / "missing/new.txt" + ": cannot be written: No such file or directory");
     CHECK_THROWS_WITH(write_text(folder / "shut", "new"), folder / "shut" + ": a folder, a file to write is wanted");
-    CHECK_THROWS_WITH(write_text(folder / "new/", "new"), Catch::Contains("cannot be written"));
+    CHECK_THROWS_WITH(write_text(folder / "new/", "new"), ContainsSubstring("cannot be written"));
     CHECK_THROWS_AS(write_text("", "new"), InputError);
     CHECK(folder.names() == Names{"shut"});
 }

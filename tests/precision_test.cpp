@@ -111,7 +111,7 @@ TEST_CASE("A given step that float does not honour is warned of, and refused whe
     scene.time.precision = Precision::double_precision;
     CHECK(Simulation(scene).precision_remark().empty());
     CHECK_THROWS_AS(Simulation(falling(0.05 * honest)), InputError);
-    CHECK_THROWS_WITH(Simulation(falling(0.05 * honest)), Catch::Contains("double"));
+    CHECK_THROWS_WITH(Simulation(falling(0.05 * honest)), ContainsSubstring("double"));
 }
 
 TEST_CASE("A flat flag leaves its plane unless it is told not to", "[physics]") {

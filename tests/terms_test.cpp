@@ -179,6 +179,7 @@ TEMPLATE_LIST_TEST_CASE("A flag moves as its terms say", "[physics]", FloatCases
     stronger.terms.add(AirDrag{0.03});
     stronger.springs.stiffness = 160.0;
     flag.set(AirDrag{0.03}), flag.set(Cloth{0.01, 160.0});
+    sheet.stepper.synchronise(flag.time());
     sheet.stepper.refill(stronger);
     flag.advance(100), sheet.advance(1e-3, 100);
     CHECK(points_of(flag.state().position) == sheet.positions());

@@ -77,13 +77,11 @@ public:
     template <class T>
     requires(has<T>) void set(const T& listed) {
         take(model_, listed);
-        stepper_.refill(model_);
-        if (automatic_) follow_automatic_step();
+        refill();
     }
     void set(const Cloth& cloth) {
         take(model_, cloth);
-        stepper_.refill(model_);
-        if (automatic_) follow_automatic_step();
+        refill();
     }
 
     double time() const { return clock_.at(steps_); }  // s
@@ -101,6 +99,11 @@ public:
     StableStep largest_stable_step() const { return stable_step(Method{}, model_); }
 
 private:
+    void refill() {
+        stepper_.synchronise(time());  // by the forces that there were
+        stepper_.refill(model_);
+        if (automatic_) follow_automatic_step();
+    }
     void take_step(double dt) {
         if (dt == clock_.dt) return;
         stepper_.synchronise(time());

@@ -3,6 +3,7 @@
 #include "scene_file.hpp"
 #include "text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <tuple>
@@ -81,7 +82,7 @@ std::string cause_and_remedy(Method method, const Divergence& d) {
 }  // namespace
 
 Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const Progress& good, double broken_at,
-                              const std::atomic<bool>* abandon) {
+                              bool lost, const std::atomic<bool>* abandon) {
     constexpr int good_place = Watch::places, batch_place = Watch::places + 1;
     const Watch watch_then = watch;
     engine.save(good_place);
@@ -96,10 +97,11 @@ Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const
     Progress now = good, before = good;
     const bool found = !replay.holds(now, before, broken_at + 2.0 * batch_seconds);
     const bool finite = std::isfinite(engine.kinetic());
-    if (found && finite && d.cause == Divergence::Cause::energy_created && watch.ledger().created_share() < 0.0)
-        d.cause = Divergence::Cause::energy_lost;
-    long long bad = now.steps;
-    if (found && !finite) {
+    if (finite && lost && d.cause == Divergence::Cause::energy_created) d.cause = Divergence::Cause::energy_lost;
+    // Counted by samples the replay may hold, or hold longer.
+    const long long end = good.steps + std::llround((broken_at - good.time()) / good.clock.dt);
+    long long bad = found ? std::min(now.steps, end) : end;
+    if (found && !finite && before.steps < bad) {
         long long fine = before.steps;
         while (bad - fine > 1 && !replay.abandoned()) {
             const long long middle = fine + (bad - fine) / 2;

@@ -141,11 +141,11 @@ struct Simulation::Run {
                 use_precision(Precision::double_precision);
                 restart_clock(now.time(), now.steps);
             }
-            if (automatic() ? watch.warns() : watch.is_broken()) {
-                const double broken_at = now.time();
+            const auto alarms = [&] { return automatic() ? watch.warns() : watch.is_broken(); };
+            if (alarms()) watch.count_again(*engine, now);  // samples may mislead
+            if (alarms()) {
+                if (!automatic() || lowered < smallest_lowered) return stopped(abandon);
                 watch.return_to_good(*engine, now);
-                if (!automatic() || lowered < smallest_lowered)
-                    return explain_divergence(*engine, watch, scene.time.method, now, broken_at, abandon);
                 lower(0.6);
                 open();  // what was created until then is not held against the smaller step
                 left = steps_left();
@@ -158,12 +158,10 @@ struct Simulation::Run {
     }
 
     std::optional<Divergence> check() {
-        watch.look_now(*engine, now);
+        if (now.steps > now.clock.first && !watch.count_again(*engine, now)) watch.look_now(*engine, now);
         if (!watch.is_broken()) return {};
-        const double broken_at = now.time();
-        watch.return_to_good(*engine, now);
         in_batch_ = 0;
-        return explain_divergence(*engine, watch, scene.time.method, now, broken_at, nullptr);
+        return stopped(nullptr);
     }
 
     void use_threads(int count) {
@@ -194,6 +192,14 @@ private:
         auto nature = Watch::Nature::of(scene.time.method);
         if (automatic()) nature.dissipates = false;  // its step is too small for that
         watch.open(*engine, now, batch_seconds / now.clock.dt, nature);
+    }
+
+    /// Back on the last good state, with the reason.
+    Divergence stopped(const std::atomic<bool>* abandon) {
+        const double broken_at = now.time();
+        const bool lost = watch.ledger().created_share() < 0.0;
+        watch.return_to_good(*engine, now);
+        return explain_divergence(*engine, watch, scene.time.method, now, broken_at, lost, abandon);
     }
 
     /// The same masses in another precision; a new clock must follow.

@@ -9,6 +9,8 @@ namespace {
 
 // An automatic step answers long before a run is broken; good runs stay far below.
 constexpr double created_to_warn = 0.1, energy_to_warn = 1.15, created_when_calm = 0.03;
+// Kinetic energy beyond so many times all there could be is broken at once: velocities half a kick back swing by less.
+constexpr double far_beyond = 10.0;
 
 double gross(const std::vector<double>& samples);
 
@@ -106,8 +108,7 @@ void Watch::begin_batch(Engine& engine, const Progress& now) {
 void Watch::end_batch(Engine& engine, const Progress& now) {
     ++number_;
     if (number_ % group_ == 0) take_in(now.time(), now.clock.dt);
-    // Far beyond all there is: no need to wait for the window's end. (Velocities half a kick back swing by less.)
-    constexpr double far_beyond = 10.0;
+    // No need to wait for the window's end.
     const double kinetic = engine.kinetic();
     const double all =
         ledger_.scale() + gross_ + counted_so_far(now) + rounding_energy(engine, now.steps - written_step_);
@@ -131,16 +132,57 @@ void Watch::look_now(Engine& engine, const Progress& now) {
     broken_ = broken_ || then.ledger_.is_broken(creates_) || !std::isfinite(engine.kinetic());
 }
 
+const Watch::Saved* Watch::newest() const {
+    const Saved* found = nullptr;
+    for (const auto& saved : saved_)
+        if (saved.number >= 0 && (!found || saved.number > found->number)) found = &saved;
+    return found;
+}
+
+bool Watch::count_again(Engine& engine, const Progress& now) {
+    constexpr double longest = 1e8;  // mass-steps, about a second
+    const Saved* from = newest();
+    if (!from || from->progress.clock.dt != now.clock.dt || from->progress.clock.first != now.clock.first) return false;
+    const long long steps = now.steps - from->progress.steps;
+    if (static_cast<double>(steps) * static_cast<double>(engine.model().grid.masses()) > longest) return false;
+    engine.save(end_place);
+    engine.restore(static_cast<int>(from - saved_.data()));
+    Progress again = from->progress;
+    const Measurement before = engine.measure(again.time());
+    double work = 0.0, came_in = 0.0;
+    while (again.steps < now.steps) {
+        double external = 0.0;  // of a batch
+        for (const long long end = std::min(again.next_batch(), now.steps); again.steps < end; ++again.steps) {
+            Report report;
+            engine.advance(again.clock, again.steps, again.steps + 1, again.steps, report, nullptr);
+            work += report.work.all();
+            external += report.work.external;
+        }
+        came_in += std::max(0.0, external);
+    }
+    const Measurement after = engine.measure(again.time());
+    const double rounding = rounding_energy(engine, steps);
+    engine.restore(end_place);
+    look(engine, now);
+    Estimate made{after.balance() - before.balance() - work, 0.0};
+    if (made.value < 0.0 && !dissipates_) made = {};
+    ledger_ = from->ledger;
+    ledger_.add(now.time(), energy_, potential_, {came_in, 0.0}, made, rounding);
+    // Past the limit v-.v+ may be as far below zero as springs hold more than there could be.
+    const double kinetic = engine.kinetic();
+    broken_ = !std::isfinite(kinetic) || kinetic > far_beyond * ledger_.scale();
+    number_ += (window_ * group_ - in_window()) % (window_ * group_);  // a new window begins
+    return true;
+}
+
 void Watch::return_to_good(Engine& engine, Progress& now) {
-    const Saved* newest = nullptr;
-    for (auto& saved : saved_)
-        if (saved.number >= 0 && (!newest || saved.number > newest->number)) newest = &saved;
-    const int place = static_cast<int>(newest - saved_.data());
+    const Saved* const good = newest();
+    const int place = static_cast<int>(good - saved_.data());
     engine.restore(place);
-    now = newest->progress;
-    ledger_ = newest->ledger;
-    last_unrest_ = newest->last_unrest;
-    number_ = newest->number;
+    now = good->progress;
+    ledger_ = good->ledger;
+    last_unrest_ = good->last_unrest;
+    number_ = good->number;
     next_ = place;  // taken again when the window begins again
     broken_ = false;
     look(engine, now);

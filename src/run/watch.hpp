@@ -34,7 +34,8 @@ struct Progress {
 
 class Watch {
 public:
-    static constexpr int places = 2;  // of the engine that are used for states to return to
+    static constexpr int places = 2;          // of the engine that are used for states to return to
+    static constexpr int end_place = places;  // and one for the state whose past is counted again
 
     /// What a method does to energy by nature: what it creates is then judged by the energy there is; what it may lose
     /// is looked for.
@@ -58,7 +59,10 @@ public:
     void count(const Report& report) { counted_.add(report.work); }
     /// After the last step of a batch.
     void end_batch(Engine& engine, const Progress& now);
-    /// Looks at the energy at any time.
+    /// Counts again, every step of it, what happened since the newest state kept: what was known from samples until now
+    /// is then known. False, and nothing is changed, where that would take seconds.
+    bool count_again(Engine& engine, const Progress& now);
+    /// Looks at the energy at any time, by samples.
     void look_now(Engine& engine, const Progress& now);
 
     const Ledger& ledger() const { return ledger_; }
@@ -83,6 +87,7 @@ private:
 
     long long in_window() const { return number_ % (window_ * group_); }
     void take_in(double now, double dt);
+    const Saved* newest() const;
     double counted_so_far(const Progress& now) const;
     void look(Engine& engine, const Progress& now);
     void write(Engine& engine, const Progress& now);
