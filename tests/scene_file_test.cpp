@@ -176,7 +176,7 @@ TEST_CASE("what a scene does not list is not modelled, and the rest has its docu
     CHECK_FALSE(scene.springs.drag);
     CHECK_FALSE(scene.gravity());
     CHECK_FALSE(scene.wind());
-    CHECK(scene.limits == Limits{});
+    CHECK_FALSE(scene.limits.get<StretchLimit>());
     CHECK_FALSE(scene.time.dt);
     CHECK(parse_scene(springs + "[gravity]\n", "x").gravity()->acceleration == glm::dvec3(0.0, -9.8, 0.0));
     CHECK(parse_scene(springs + "damping = 0\n", "x").springs.damping == 0.0);
