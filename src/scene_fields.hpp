@@ -122,9 +122,11 @@ inline constexpr std::tuple keys_of<StretchLimit>{
         Range{0, 10}, "", true},
 };
 
+inline constexpr Range dt_range{1e-9, 1e3};  // s
+
 inline constexpr std::tuple time_keys{
     Key{"method", &TimeSettings::method, "how a step is taken; docs/model.md lists the methods"},
-    Key{"dt", &TimeSettings::dt, "s; \"auto\" is a share of the largest stable step", Range{1e-9, 1e3}, "auto"},
+    Key{"dt", &TimeSettings::dt, "s; \"auto\" is a share of the largest stable step", dt_range, "auto"},
     Key{"precision", &TimeSettings::precision, "float or double"},
 };
 

@@ -42,9 +42,9 @@ struct Work {
     double damping = 0.0;   // by the springs' dampers
     double passes = 0.0;    // energy that passes after the move added
 
-    /// Of all but what is stored.
-    double lost() const { return external + damping + passes; }
-    double all() const { return lost() - stored; }
+    /// Of all but terms that store energy.
+    double but_stored() const { return external + damping + passes; }
+    double all() const { return but_stored() - stored; }
     double gross() const { return std::abs(external) + std::abs(stored) + std::abs(damping) + std::abs(passes); }
     void add(const Work& other) {
         external += other.external, stored += other.stored, damping += other.damping, passes += other.passes;

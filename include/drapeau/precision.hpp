@@ -58,11 +58,14 @@ inline double typical_speed(const Model& model) {
     return rate > 0.0 ? std::min(falling, push / rate) : falling;
 }
 
-/// The smallest step (s) at which float resolves a twentieth of the model's typical speed. `reach` (m): how far from
-/// the origin its masses are. The law and its measurement: docs/model.md.
-inline double smallest_float_step(const Model& model, double reach) {
-    constexpr double half_unit = 0x1p-24;  // of a coordinate
-    return 20.0 * half_unit * reach / typical_speed(model);
+/// The finest velocity (m/s) that float resolves in steps of dt (s), masses being up to `reach` (m) from the origin.
+/// The law and its measurement: docs/model.md.
+inline double float_velocity_unit(double reach, double dt) {
+    return 0x1p-24 * reach / dt;
+}
+/// The smallest step (s) at which it resolves a twentieth of a speed (m/s).
+inline double smallest_float_step(double reach, double speed) {
+    return 20.0 * float_velocity_unit(reach, 1.0) / speed;
 }
 /// Below this share of it float resolves less than half of that speed: nothing of the motion is left.
 inline constexpr double hopeless_float_step = 0.1;

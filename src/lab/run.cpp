@@ -1,8 +1,10 @@
 #include "run.hpp"
 
 #include "error.hpp"
+#include "plan.hpp"
 #include "progress.hpp"
 #include "results.hpp"
+#include "scene_fields.hpp"
 #include "scene_file.hpp"
 #include "run/divergence.hpp"
 #include "run/simulation.hpp"
@@ -52,77 +54,11 @@ Scene scene_to_run(const RunOptions& options) {
     if (options.dt == "auto") {
         scene.time.dt.reset();
     } else if (!options.dt.empty()) {
-        scene.time.dt = number_option("--dt", options.dt, 1e-9, 1e3, "\"auto\" or ");
+        scene.time.dt = number_option("--dt", options.dt, scene_fields::dt_range.lowest, scene_fields::dt_range.highest,
+                                      "\"auto\" or ");
     }
     check_scene(scene);
     return scene;
-}
-
-/// How many times `step` fits `seconds`, if that is a whole number but for the rounding of decimal input.
-std::optional<long long> whole_count(double seconds, double step) {
-    const double count = seconds / step;
-    const double tolerance = std::min(1e-3, 1e-12 * count);
-    if (std::abs(count - std::round(count)) > tolerance) return std::nullopt;
-    return std::llround(count);
-}
-
-/// A number a person may type, free of the rounding of the last binary digits.
-std::string decimal(double value) {
-    return shortest(number_in(rounded(value, 12)).value_or(value));
-}
-
-/// How the time is filled: whole batches as the window does, or so many steps of one length.
-struct Plan {
-    long long batches = 0;
-    long long steps = 0;
-    std::optional<double> dt;              // s, of those steps
-    std::optional<Precision> precision{};  // that those steps need, the scene's dt being automatic
-    std::string remark{};                  // why
-};
-
-Plan plan_for(const Scene& scene, double seconds, const std::string& given_seconds) {
-    if (const auto dt = scene.time.dt) {
-        if (const auto steps = whole_count(seconds, *dt)) return {0, *steps, dt};
-        const double below = std::floor(seconds / *dt);
-        throw InputError("--seconds = " + one_line(given_seconds, 60) + ": a whole number of steps of " +
-                         shortest(*dt) + " s is allowed, such as " + decimal(below * *dt) + " or " +
-                         decimal((below + 1.0) * *dt));
-    }
-    if (const auto batches = whole_count(seconds, batch_seconds)) return {*batches, 0, {}};
-    // Equal steps, none longer than the automatic one.
-    const Simulation automatic(scene);
-    const double steps = std::ceil(seconds / automatic.dt()), dt = seconds / steps;
-    constexpr double shortest_dt = 1e-9;  // s, that a scene may give
-    if (dt < shortest_dt)
-        throw InputError("time.dt = \"auto\": " + std::string(name_of(scene.time.method)) + " needs steps of " +
-                         quantity(dt, "s") + " for these springs and masses, and 1 ns is the least; choose " +
-                         "semi-implicit-euler, softer springs or more drag");
-    return {0, std::llround(std::min(steps, 9e18)), dt, automatic.precision(), automatic.precision_remark()};
-}
-
-constexpr double longest_run = 24.0 * 3600.0;  // s
-
-/// Refuses what would take longer than anybody waits, before it begins.
-void check_duration(const Scene& scene, const Simulation& simulation, double seconds) {
-    constexpr double mass_steps_a_second = 1.5e8;  // of one core; small flags are slower by the mass
-    constexpr double steps_a_second = 2e6;
-    const double steps = seconds / simulation.dt();
-    const int passes = with_method(scene.time.method, [](const auto& m) { return std::decay_t<decltype(m)>::passes; });
-    const double masses = static_cast<double>(simulation.model().grid.masses());
-    const double estimate = steps * passes * std::max(masses / mass_steps_a_second, 1.0 / steps_a_second);
-    if (estimate <= longest_run) return;
-    throw InputError("--seconds = " + shortest(seconds) + ": about " + rounded(estimate / 3600.0, 2) + " h for " +
-                     rounded(steps, 3) + " steps of " + quantity(simulation.dt(), "s") + " and " + rounded(masses, 3) +
-                     " masses, more than " + rounded(longest_run / 3600.0, 2) + " h; --force runs it");
-}
-
-/// Ends in its first minute what turns out to take as long after all: nobody knows before how many sweeps a limit
-/// needs.
-void check_pace(double share_done, double wall) {
-    constexpr double known_after = 3.0, minute = 60.0;  // s
-    if (wall < known_after || wall > minute || wall / share_done <= longest_run) return;
-    throw InputError("this run would take about " + rounded(wall / share_done / 3600.0, 2) + " h, more than " +
-                     rounded(longest_run / 3600.0, 2) + " h; --force runs it");
 }
 
 struct Cost {

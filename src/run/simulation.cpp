@@ -3,6 +3,7 @@
 #include "error.hpp"
 #include "run/divergence.hpp"
 #include "run/start_state.hpp"
+#include "run/step_choice.hpp"
 #include "run/watch.hpp"
 #include "scene_file.hpp"
 #include "text.hpp"
@@ -27,39 +28,6 @@ bool same_structure(const Scene& a, const Scene& b) {
            a.time.precision == b.time.precision &&
            a.springs.diagonal_stiffness.has_value() == b.springs.diagonal_stiffness.has_value() &&
            a.springs.damping.has_value() == b.springs.damping.has_value();
-}
-
-/// The step a scene asks for, or a share of the largest that the closed bound allows, `lowered` further.
-double chosen_step(const Scene& scene, const Model& model, bool exact, double lowered) {
-    if (scene.time.dt) return exact ? *scene.time.dt : whole_steps_per_batch(*scene.time.dt);
-    if (!stable_step(scene.time.method, model).is_none())
-        return whole_steps_per_batch(
-            with_method(scene.time.method, [&](const auto& method) { return automatic_step(method, model, lowered); }));
-    const double wanted = whole_steps_per_batch(automatic_step(SemiImplicitEuler{}, model));
-    char line[240];
-    std::snprintf(line, sizeof line,
-                  "time.dt = \"auto\": %s has no stable step without drag or friction; "
-                  "for a step of %s their sum must exceed %.3g N s/m, or choose semi-implicit-euler",
-                  std::string(name_of(scene.time.method)).c_str(), quantity(wanted, "s").c_str(),
-                  damping_needed(model, wanted));
-    throw InputError(line);
-}
-
-/// The precision a run begins in: the scene's, or double where float could not honour an automatic step. Throws
-/// InputError where a given step leaves nothing of the motion in float.
-Precision chosen_precision(const Scene& scene, const Model& model, double dt) {
-    if (scene.time.precision == Precision::double_precision) return Precision::double_precision;
-    const Grid& grid = model.grid;
-    const double size = std::hypot(grid.columns * grid.pitch_x, grid.rows * grid.pitch_y);
-    const double honest = smallest_float_step(model, size);
-    if (dt >= honest) return Precision::single_precision;
-    if (!scene.time.dt) return Precision::double_precision;
-    if (dt >= hopeless_float_step * honest) return Precision::single_precision;
-    const double smallest = hopeless_float_step * honest;
-    const bool has_larger = smallest < batch_seconds;
-    throw InputError("time.dt = " + shortest(*scene.time.dt) + ": in float nothing is left of so slow a motion" +
-                     (has_larger ? " at steps below " + quantity(smallest, "s") : "") +
-                     "; give time.precision = \"double\"" + (has_larger ? " or larger steps" : ""));
 }
 
 }  // namespace
@@ -95,6 +63,7 @@ struct Simulation::Run {
         now = {{time, steps, chosen_step(scene, engine->model(), exact, lowered)}, steps};
         in_batch_ = 0;
         limit = {};
+        typical_speed_ = typical_speed(engine->model());
         open();
         readings_batches = max_batches;
     }
@@ -142,7 +111,7 @@ struct Simulation::Run {
                 restart_clock(now.time(), now.steps);
             }
             const auto alarms = [&] { return automatic() ? watch.warns() : watch.is_broken(); };
-            if (alarms()) watch.count_again(*engine, now);  // samples may mislead
+            if (alarms()) watch.count_again(*engine, now, abandon);  // samples may mislead
             if (alarms()) {
                 if (!automatic() || lowered < smallest_lowered) return stopped(abandon);
                 watch.return_to_good(*engine, now);
@@ -158,7 +127,7 @@ struct Simulation::Run {
     }
 
     std::optional<Divergence> check() {
-        if (now.steps > now.clock.first && !watch.count_again(*engine, now)) watch.look_now(*engine, now);
+        if (now.steps > now.clock.first && !watch.count_again(*engine, now, nullptr)) watch.look_now(*engine, now);
         if (!watch.is_broken()) return {};
         in_batch_ = 0;
         return stopped(nullptr);
@@ -172,7 +141,7 @@ struct Simulation::Run {
     /// Whether the step is one that float does not honour, where the masses are now.
     bool float_resolves_too_little() const {
         return precision == Precision::single_precision &&
-               now.clock.dt < smallest_float_step(engine->model(), engine->reach());
+               now.clock.dt < smallest_float_step(engine->reach(), typical_speed_);
     }
 
     /// How many batches go by between two readings for the picture, so that they cost a hundredth of the steps, or a
@@ -220,9 +189,10 @@ private:
         now.clock = {now.time(), now.steps, dt};
     }
 
-    long long batches_ = 0;    // since the run began
-    long long in_batch_ = 0;   // steps of the batch under way that are done
-    long long batch_end_ = 0;  // its end
+    double typical_speed_ = 0.0;  // m/s, of the model
+    long long batches_ = 0;       // since the run began
+    long long in_batch_ = 0;      // steps of the batch under way that are done
+    long long batch_end_ = 0;     // its end
 };
 
 Simulation::Simulation(const Scene& scene) {
@@ -310,7 +280,7 @@ std::string Simulation::precision_remark() const {
     if (run.precision != run.scene.time.precision)
         return "computed in double: float cannot honour steps of " + quantity(run.now.clock.dt, "s") + " in this scene";
     if (!run.float_resolves_too_little()) return "";
-    const double unit = 0x1p-24 * run.engine->reach() / run.now.clock.dt;
+    const double unit = float_velocity_unit(run.engine->reach(), run.now.clock.dt);
     return "at steps of " + quantity(run.now.clock.dt, "s") + " float knows velocities to " + quantity(unit, "m/s", 2) +
            " only, and masses move too far or not at all: choose double";
 }

@@ -12,7 +12,11 @@ constexpr double created_to_warn = 0.1, energy_to_warn = 1.15, created_when_calm
 // Kinetic energy beyond so many times all there could be is broken at once: velocities half a kick back swing by less.
 constexpr double far_beyond = 10.0;
 
-double gross(const std::vector<double>& samples);
+double gross(const std::vector<double>& samples) {
+    double sum = 0.0;
+    for (const double s : samples) sum += std::abs(s);
+    return sum;
+}
 
 /// The sum of what each stands for, and how far it may be off by their scatter; of a few, by as much as they are.
 Estimate sum_of_samples(const std::vector<double>& samples) {
@@ -22,12 +26,6 @@ Estimate sum_of_samples(const std::vector<double>& samples) {
     for (const double s : samples) sum.value += s;
     if (n < few) return {sum.value, std::pow(gross(samples), 2)};
     for (const double s : samples) sum.variance += std::pow(s - sum.value / n, 2) * n / (n - 1.0);
-    return sum;
-}
-
-double gross(const std::vector<double>& samples) {
-    double sum = 0.0;
-    for (const double s : samples) sum += std::abs(s);
     return sum;
 }
 
@@ -71,7 +69,7 @@ double Watch::rounding_energy(const Engine& engine, long long steps) const {
 
 void Watch::take_in(double now, double dt) {
     const double times = (now - taken_in_) / dt;  // steps that the accounted one stands for
-    work_.push_back(times * counted_.lost());
+    work_.push_back(times * counted_.but_stored());
     external_.push_back(times * counted_.external);
     gross_ += times * counted_.gross();
     counted_ = {};
@@ -139,7 +137,7 @@ const Watch::Saved* Watch::newest() const {
     return found;
 }
 
-bool Watch::count_again(Engine& engine, const Progress& now) {
+bool Watch::count_again(Engine& engine, const Progress& now, const std::atomic<bool>* abandon) {
     constexpr double longest = 1e8;  // mass-steps, about a second
     const Saved* from = newest();
     if (!from || from->progress.clock.dt != now.clock.dt || from->progress.clock.first != now.clock.first) return false;
@@ -159,6 +157,9 @@ bool Watch::count_again(Engine& engine, const Progress& now) {
             external += report.work.external;
         }
         came_in += std::max(0.0, external);
+        if (!abandon || !abandon->load(std::memory_order_relaxed)) continue;
+        engine.restore(end_place);
+        return false;
     }
     const Measurement after = engine.measure(again.time());
     const double rounding = rounding_energy(engine, steps);

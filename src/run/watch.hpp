@@ -60,8 +60,8 @@ public:
     /// After the last step of a batch.
     void end_batch(Engine& engine, const Progress& now);
     /// Counts again, every step of it, what happened since the newest state kept: what was known from samples until now
-    /// is then known. False, and nothing is changed, where that would take seconds.
-    bool count_again(Engine& engine, const Progress& now);
+    /// is then known. False, and nothing is changed, where that would take seconds or `abandon` is set meanwhile.
+    bool count_again(Engine& engine, const Progress& now, const std::atomic<bool>* abandon);
     /// Looks at the energy at any time, by samples.
     void look_now(Engine& engine, const Progress& now);
 

@@ -59,11 +59,9 @@ void draw_message(Session& session, Widgets& widgets) {
     ImGui::PopTextWrapPos();
     const auto& divergence = session.status.divergence;
     if (message.cause == Message::Cause::standstill && divergence && divergence->safe_dt > 0.0) {
-        char tip[160];
-        std::snprintf(tip, sizeof tip,
-                      "Sets the step to %.3g ms, which was tried from the last good state and held, and goes on there.",
-                      1000.0 * divergence->safe_dt);
-        if (widgets.button("Use the safe step", tip)) session.wishes.use_safe_step = true;
+        const std::string tip = "Sets the step to " + quantity(divergence->safe_dt, "s") +
+                                ", which was tried from the last good state and held, and goes on there.";
+        if (widgets.button("Use the safe step", tip.c_str())) session.wishes.use_safe_step = true;
         ImGui::SameLine();
     }
     const bool closed = widgets.button("Close", "Key Esc");

@@ -25,6 +25,16 @@ std::string flag_file(const std::string& name) {
     return std::string(DRAPEAU_ASSETS) + "/flags/" + name;
 }
 
+/// Opens the list `label`, takes `entry` of it and waits until it is chosen.
+void choose(App& app, const std::string& label, const std::string& entry) {
+    app.click(label);
+    app.wait_until("the list", [&](const Look& look) { return look.has(label + ": " + entry); });
+    app.settle();
+    app.click(label + ": " + entry);
+    app.wait_until("the choice",
+                   [&](const Look& look) { return look.has(label) && look.controls.at(label).value == entry; });
+}
+
 }  // namespace
 
 TEST_CASE_METHOD(StillFlag, "a broken image gives a message and leaves the flag as it was") {
@@ -209,13 +219,7 @@ TEST_CASE("choosing forward Euler says how slow it is and what helps, and the fl
     const Screen screen;
     App app(screen, {"report", "--size", "900x800"});
     app.click("Page: Time");
-    app.click("Method");
-    app.wait_until("the list", [](const Look& look) { return look.has("Method: forward-euler"); });
-    app.settle();
-    app.click("Method: forward-euler");
-    app.wait_until("the method", [](const Look& look) {
-        return look.has("Method") && look.controls.at("Method").value == "forward-euler";
-    });
+    choose(app, "Method", "forward-euler");
     const Look slow = app.wait_until("the remark", [](const Look& look) { return look.has("Reading: Slow"); });
     CHECK(slow.controls.at("Reading: Slow").value.find("slower than real time") != std::string::npos);
     CHECK(slow.controls.at("Reading: Slow").value.find("Semi-implicit-euler") != std::string::npos);
@@ -326,11 +330,7 @@ TEST_CASE("every method can be chosen by its name") {
     app.click("Page: Time");
     for (const std::string method : {"leapfrog", "rk4", "semi-implicit-euler"}) {
         CAPTURE(method);
-        app.click("Method");
-        app.click("Method: " + method);
-        app.wait_until("the method", [&](const Look& look) {
-            return look.has("Method") && look.controls.at("Method").value == method;
-        });
+        choose(app, "Method", method);
         const double now = app.look().number("time");
         app.wait_until("time to pass", [now](const Look& look) { return look.number("time") > now + 0.1; });
         CHECK(app.look().text("message").empty());

@@ -1,0 +1,45 @@
+#include "run/step_choice.hpp"
+
+#include "error.hpp"
+#include "scene_file.hpp"
+#include "text.hpp"
+
+#include "drapeau/precision.hpp"
+#include "drapeau/stability.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace drapeau {
+
+double chosen_step(const Scene& scene, const Model& model, bool exact, double lowered) {
+    if (scene.time.dt) return exact ? *scene.time.dt : whole_steps_per_batch(*scene.time.dt);
+    if (!stable_step(scene.time.method, model).is_none())
+        return whole_steps_per_batch(
+            with_method(scene.time.method, [&](const auto& method) { return automatic_step(method, model, lowered); }));
+    const double wanted = whole_steps_per_batch(automatic_step(SemiImplicitEuler{}, model));
+    char line[240];
+    std::snprintf(line, sizeof line,
+                  "time.dt = \"auto\": %s has no stable step without drag or friction; "
+                  "for a step of %s their sum must exceed %.3g N s/m, or choose semi-implicit-euler",
+                  std::string(name_of(scene.time.method)).c_str(), quantity(wanted, "s").c_str(),
+                  damping_needed(model, wanted));
+    throw InputError(line);
+}
+
+Precision chosen_precision(const Scene& scene, const Model& model, double dt) {
+    if (scene.time.precision == Precision::double_precision) return Precision::double_precision;
+    const Grid& grid = model.grid;
+    const double size = std::hypot(grid.columns * grid.pitch_x, grid.rows * grid.pitch_y);
+    const double honest = smallest_float_step(size, typical_speed(model));
+    if (dt >= honest) return Precision::single_precision;
+    if (!scene.time.dt) return Precision::double_precision;
+    if (dt >= hopeless_float_step * honest) return Precision::single_precision;
+    const double smallest = hopeless_float_step * honest;
+    const bool has_larger = smallest < batch_seconds;
+    throw InputError("time.dt = " + shortest(*scene.time.dt) + ": in float nothing is left of so slow a motion" +
+                     (has_larger ? " at steps below " + quantity(smallest, "s") : "") +
+                     "; give time.precision = \"double\"" + (has_larger ? " or larger steps" : ""));
+}
+
+}  // namespace drapeau
