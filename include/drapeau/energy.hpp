@@ -93,29 +93,32 @@ struct Ledger {
         while (looks_.size() > 2 && looks_[1].time <= now - window) looks_.pop_front();
     }
 
-    double scale() const { return std::max(brought(), energy) + rounding; }
+    double scale(bool in_doubt = true) const { return std::max(brought(in_doubt), energy) + rounding; }
 
-    /// Created energy (lost, if negative) over all that there could be, what is in doubt left out: since the ledger was
-    /// opened or in the last second, the greater.
-    double created_share() const {
+    /// Created energy (lost, if negative) over all that there could be: since the ledger was opened or in the last
+    /// second, the greater. What is in doubt is left out, or not.
+    double created_share(bool in_doubt = true) const {
         const auto& then = looks_.front();
         const Estimate lately{created.value - then.created.value, created.variance - then.created.variance};
         double lowest = then.potential;
         for (const auto& look : looks_) lowest = std::min(lowest, look.potential);
-        const double came_in =
-            external.value - then.external.value + external.doubt() - then.external.doubt() + then.potential - lowest;
+        const double doubt = in_doubt ? external.doubt() - then.external.doubt() : 0.0;
+        const double came_in = external.value - then.external.value + doubt + then.potential - lowest;
         const double here = std::max(then.energy + came_in, energy) + rounding - then.rounding;
-        const double all = share(certain(created), scale()), last = share(certain(lately), here);
+        const double all = share(in_doubt ? certain(created) : created.value, scale(in_doubt));
+        const double last = share(in_doubt ? certain(lately) : lately.value, here);
         return std::abs(last) > std::abs(all) ? last : all;
     }
     /// Energy over all that was there or came in.
-    double energy_share() const { return share(energy, brought() + rounding); }
+    double energy_share(bool in_doubt = true) const { return share(energy, brought(in_doubt) + rounding); }
 
     bool is_finite() const { return std::isfinite(energy) && std::isfinite(created.value); }
     /// `creates`: the method creates energy by nature, so that what it created is judged by the energy there is.
-    bool is_broken(bool creates) const {
-        return !is_finite() || energy_share() > 1.0 + broken_share || created_share() < -broken_share ||
-               (!creates && created_share() > broken_share);
+    /// `in_doubt`: what is in doubt is left out; without, it may well be no more than that.
+    bool is_broken(bool creates, bool in_doubt = true) const {
+        const double made = created_share(in_doubt);
+        return !is_finite() || energy_share(in_doubt) > 1.0 + broken_share || made < -broken_share ||
+               (!creates && made > broken_share);
     }
 
 private:
@@ -123,7 +126,9 @@ private:
         double time, energy, potential, rounding;
         Estimate external, created;
     };
-    double brought() const { return initial + fallen + external.value + external.doubt(); }
+    double brought(bool in_doubt) const {
+        return initial + fallen + external.value + (in_doubt ? external.doubt() : 0.0);
+    }
     static double share(double part, double whole) { return part != 0.0 ? part / whole : 0.0; }
     static double certain(const Estimate& e) {
         return std::copysign(std::max(0.0, std::abs(e.value) - e.doubt()), e.value);

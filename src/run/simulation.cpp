@@ -111,7 +111,8 @@ struct Simulation::Run {
                 restart_clock(now.time(), now.steps);
             }
             const auto alarms = [&] { return automatic() ? watch.warns() : watch.is_broken(); };
-            if (alarms()) watch.count_again(*engine, now, abandon);  // samples may mislead
+            // Samples may mislead, or leave too much in doubt.
+            if (alarms() || watch.suspects()) watch.count_again(*engine, now, abandon);
             if (alarms()) {
                 if (!automatic() || lowered < smallest_lowered) return stopped(abandon);
                 watch.return_to_good(*engine, now);

@@ -67,6 +67,8 @@ public:
 
     const Ledger& ledger() const { return ledger_; }
     bool is_broken() const { return broken_ || ledger_.is_broken(creates_); }
+    /// Whether that may be so, but for what samples leave in doubt.
+    bool suspects() const { return is_broken() || (!creates_ && ledger_.is_broken(false, false)); }
     /// Whether energy is being created to an extent that an automatic step answers with a smaller one.
     bool warns() const;
     /// Whether nothing of that has been seen for `seconds`.
