@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <vector>
 
 namespace drapeau {
 
@@ -44,6 +43,13 @@ bool is_file_like(const std::string& word) {
 
 void take_as_path(CLI::Option* option) {
     option->transform([](const std::string& given) { return meant_path(given); }, "");
+}
+
+void add_assignments(CLI::App& app, std::vector<std::string>& assignments) {
+    app.add_option("--set", assignments,
+                   "A setting instead of the scene's own: flag.columns=90, springs.drag=off; docs/scene.md lists them")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
 }
 
 void parse(CLI::App& app, int count, char** words) {

@@ -4,11 +4,15 @@
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <vector>
 
 namespace drapeau {
 
 /// Lets an option's value be a path as people give it (given_path.hpp).
 void take_as_path(CLI::Option* option);
+
+/// Adds --set KEY=VALUE, which may be given several times.
+void add_assignments(CLI::App& app, std::vector<std::string>& assignments);
 
 /// Reads the words into the app's options. Throws CLI::ParseError; an option given an empty value, "--film \"\"" or
 /// "--film=", is at fault too: it would be the same as an option that is not given.

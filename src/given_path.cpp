@@ -1,5 +1,7 @@
 #include "given_path.hpp"
 
+#include "text.hpp"
+
 #include <cstdlib>
 #include <optional>
 #include <string_view>
@@ -8,13 +10,6 @@
 namespace drapeau {
 
 namespace {
-
-std::string_view without_space(std::string_view text) {
-    constexpr std::string_view space = " \t\r\n";
-    const auto first = text.find_first_not_of(space);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(space) - first + 1);
-}
 
 std::string_view without_quotes(std::string_view text) {
     const bool quoted = text.size() > 1 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front();

@@ -2,6 +2,7 @@
 
 #include "encoding.hpp"
 #include "error.hpp"
+#include "scene_assign.hpp"
 #include "scene_check.hpp"
 #include "scene_fields.hpp"
 #include "text_file.hpp"
@@ -22,8 +23,13 @@ constexpr std::size_t most_bytes = 1 << 20;
 // Every dot or bracket may nest one table deeper, and tables are destroyed recursively: this many fit the stack.
 constexpr std::ptrdiff_t most_nesting = 4000;
 
-/// One fault in one file: "storm.toml:7: flag.columns = 0: a whole number from 1 to 4096 is allowed".
+/// One fault in one file: "storm.toml:7: flag.columns = 0: a whole number from 1 to 4096 is allowed". Of an assignment
+/// its option stands in place of file and key.
 [[noreturn]] void fail(const std::string& origin, const toml::node& at, const std::string& what) {
+    if (const auto& source = at.source().path; source && *source != origin) {
+        const auto value = what.find(" = ");
+        throw InputError(*source + (value == std::string::npos ? ": " + what : what.substr(value)));
+    }
     throw InputError(one_line(origin, 1000) + ":" + std::to_string(at.source().begin.line) + ": " + what);
 }
 
@@ -47,10 +53,6 @@ std::string echo(const toml::node& node) {
         return text + (array->size() > 8 ? ", ...]" : "]");
     }
     return "a date or time";
-}
-
-std::string full_name(std::string_view table, std::string_view key) {
-    return std::string(table) + (table.empty() ? "" : ".") + std::string(key);
 }
 
 // Whether a node holds a value of the type, and that value. Whole numbers are numbers; numbers are not whole numbers.
@@ -219,13 +221,13 @@ void read_tables(const toml::table& root, Scene& scene, const std::string& origi
 
 }  // namespace
 
-Scene read_scene(const std::filesystem::path& file) {
+Scene read_scene(const std::filesystem::path& file, std::span<const Assignment> assignments) {
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored)) fail(file.string(), "a folder, a scene file is wanted");
-    return parse_scene(read_text_file(file.string(), most_bytes), file.string());
+    return parse_scene(read_text_file(file.string(), most_bytes), file.string(), assignments);
 }
 
-Scene parse_scene(std::string_view text, const std::string& origin) {
+Scene parse_scene(std::string_view text, const std::string& origin, std::span<const Assignment> assignments) {
     if (text.empty()) fail(origin, "empty, a scene is wanted");
     if (const std::string fault = encoding_fault(text); !fault.empty()) fail(origin, fault);
     const auto nesting =
@@ -243,6 +245,8 @@ Scene parse_scene(std::string_view text, const std::string& origin) {
         throw InputError(one_line(origin, 1000) + ":" + std::to_string(error.source().begin.line) + ": " +
                          one_line(error.description(), 300));
     }
+
+    for (const Assignment& assignment : assignments) assign(root, assignment);
 
     Scene scene;
     scene.name = std::filesystem::path(origin).stem().string();

@@ -4,17 +4,28 @@
 #include "scene.hpp"
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace drapeau {
 
-/// Reads one scene file. Throws InputError naming file, line, key, value and what is allowed.
-Scene read_scene(const std::filesystem::path& file);
+/// What the command line says instead of the file: "--set flag.columns=90", or "--dt auto" for time.dt.
+struct Assignment {
+    std::string option;  // for messages: "--set flag.columns", "--dt"
+    std::string key;     // "flag.columns"
+    std::string value;   // as in a file, text without its quotes; "off" takes out what a scene may leave out
+};
+
+/// The assignment "--set KEY=VALUE". Throws InputError if there is no key.
+Assignment assignment_in(const std::string& text);
+
+/// Reads one scene file. Throws InputError naming file and line (or option), key, value and what is allowed.
+Scene read_scene(const std::filesystem::path& file, std::span<const Assignment> assignments = {});
 
 /// The same from text; `origin` stands in for the file's name in messages.
-Scene parse_scene(std::string_view text, const std::string& origin);
+Scene parse_scene(std::string_view text, const std::string& origin, std::span<const Assignment> assignments = {});
 
 /// The scene as TOML, with every key the scene lists and a comment with each unit. parse_scene gives the same Scene
 /// back.
@@ -53,11 +64,5 @@ std::string_view name_of(Method method);
 std::string_view name_of(Precision precision);
 /// "forward-euler, ... or rk4", for help and messages.
 std::string method_choices();
-
-/// The value of that name; throws InputError listing the allowed names, prefixed by `what` (for example "--method").
-Attach attach_named(std::string_view name, const std::string& what);
-Start start_named(std::string_view name, const std::string& what);
-Method method_named(std::string_view name, const std::string& what);
-Precision precision_named(std::string_view name, const std::string& what);
 
 }  // namespace drapeau

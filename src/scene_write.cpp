@@ -20,7 +20,7 @@ void write_field(std::string& text, const Settings& settings, const scene_fields
     }
     constexpr std::size_t comment_column = 32;
     line.resize(std::max(line.size() + 2, comment_column), ' ');
-    text += line + "# " + std::string(field.comment) + "\n";
+    text += line + "# " + scene_fields::comment_of(field.about) + "\n";
 }
 
 }  // namespace

@@ -187,6 +187,23 @@ bool is_utf8(std::string_view text) {
     return utf8_length(text) == text.size();
 }
 
+std::string capitalised(std::string_view text) {
+    std::string capital(text);
+    if (!capital.empty() && capital[0] >= 'a' && capital[0] <= 'z') capital[0] += 'A' - 'a';
+    return capital;
+}
+
+std::string as_sentence(std::string_view text) {
+    return capitalised(text) + (text.empty() || text.ends_with('.') ? "" : ".");
+}
+
+std::string_view without_space(std::string_view text) {
+    constexpr std::string_view space = " \t\r\n";
+    const auto first = text.find_first_not_of(space);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(space) - first + 1);
+}
+
 std::string memory_text(double bytes) {
     constexpr std::array units{"B", "KiB", "MiB", "GiB", "TiB"};
     std::size_t unit = 0;

@@ -32,6 +32,13 @@ std::string printable(std::string_view text);
 /// The printable text, cut to so many bytes, for a part of a message that would be too long.
 std::string one_line(std::string_view text, std::size_t longest = 120);
 
+/// The text without the spaces, tabs and line breaks around it.
+std::string_view without_space(std::string_view text);
+
+/// The text with a capital letter in front; as a sentence, with a full stop behind too.
+std::string capitalised(std::string_view text);
+std::string as_sentence(std::string_view text);
+
 /// How many bytes from the beginning are whole UTF-8 characters.
 std::size_t utf8_length(std::string_view text);
 

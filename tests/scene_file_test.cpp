@@ -2,7 +2,9 @@
 #include "catch.hpp"
 
 #include "error.hpp"
+#include "scene_fields.hpp"
 #include "scene_file.hpp"
+#include "settings_reference.hpp"
 #include "run/simulation.hpp"
 #include "text.hpp"
 
@@ -318,7 +320,8 @@ TEST_CASE("what the format reserves for later is refused as not available") {
         INFO(message);
         CHECK(has(message,
                   "storm.toml:2: time.method = \"" + method + "\": not available in this version; \"forward-euler\""));
-        CHECK(has(message_from([&] { method_named(method, "--method"); }),
+        const Assignment assignment{"--method", "time.method", method};
+        CHECK(has(message_from([&] { parse_scene(springs, "storm.toml", std::span(&assignment, 1)); }),
                   "--method = \"" + method + "\": not available"));
     }
 }
@@ -430,18 +433,92 @@ TEST_CASE("values that controls make are checked as those of files are") {
     CHECK(has(message_of_scene(scene), "flag.attach"));
 }
 
-TEST_CASE("names and values of settings are each other's inverse") {
-    for (int n = 0; n < 7; ++n) CHECK(attach_named(name_of(static_cast<Attach>(n)), "x") == static_cast<Attach>(n));
-    for (int n = 0; n < 3; ++n) CHECK(start_named(name_of(static_cast<Start>(n)), "x") == static_cast<Start>(n));
-    for (int n = 0; n < 2; ++n) CHECK(method_named(name_of(static_cast<Method>(n)), "x") == static_cast<Method>(n));
-    for (int n = 0; n < 2; ++n)
-        CHECK(precision_named(name_of(static_cast<Precision>(n)), "x") == static_cast<Precision>(n));
-    CHECK(name_of(Attach::edges) == "edges");
-    CHECK(name_of(Start::hanging) == "hanging");
-    CHECK(name_of(method_id<SemiImplicitEuler>) == "semi-implicit-euler");
-    CHECK(name_of(Precision::single_precision) == "float");
-    CHECK_THROWS_WITH(precision_named("half", "--precision"),
-                      "--precision = \"half\": \"float\" or \"double\" is allowed");
+/// A scene that lists every setting, each of another value than its default.
+Scene unusual_scene() {
+    Scene scene;
+    scene_fields::each_table(scene, [&](const std::string&, auto& settings, const auto& keys, bool) {
+        if constexpr (requires { settings.has_value(); }) settings.emplace();
+        auto& values = *scene_fields::listed(settings);
+        scene_fields::each_key(keys, [&](const auto& field) {
+            auto& value = values.*field.member;
+            using Value = std::decay_t<decltype(value)>;
+            if constexpr (std::is_same_v<Value, std::string>) {
+                value = "5 = \"five\" # [flag]";
+            } else if constexpr (std::is_same_v<Value, bool>) {
+                value = !value;
+            } else if constexpr (std::is_enum_v<Value>) {
+                value = static_cast<Value>(value == Value{} ? 1 : 0);
+            } else if constexpr (std::is_same_v<Value, glm::dvec3>) {
+                value = value + glm::dvec3(0.5, 1.0, 2e-7);
+            } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
+                value = value.value_or(0.125) + 0.25;
+            } else {
+                value = value + Value{1};
+            }
+        });
+    });
+    return scene;
+}
+
+TEST_CASE("every setting can be assigned as a file says it") {
+    const Scene wanted = unusual_scene();
+    std::vector<Assignment> assignments;
+    std::istringstream file(write_scene(wanted));
+    std::string table;
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with('#') || line.empty()) continue;
+        if (line.starts_with('[')) {
+            table = line.substr(1, line.size() - 2) + ".";
+        } else {
+            assignments.push_back(assignment_in(table + line));
+        }
+    }
+    CHECK(assignments.size() > 30);
+    CHECK(parse_scene(springs, "storm.toml", assignments) == wanted);
+}
+
+TEST_CASE("an assignment may be said as people say it, and is refused as in a file") {
+    const auto assigned = [](const std::vector<std::string>& texts) {
+        std::vector<Assignment> assignments;
+        for (const std::string& text : texts) assignments.push_back(assignment_in(text));
+        return parse_scene(springs + "drag = 0.001\n[gravity]\n[view]\nsprings = true\n", "storm.toml", assignments);
+    };
+    CHECK(assigned({"time.method=rk4"}).time.method == method_id<Rk4>);
+    CHECK(assigned({"time.method = \"rk4\""}).time.method == method_id<Rk4>);
+    CHECK(assigned({"flag.width=.5"}).flag.width == 0.5);
+    CHECK(assigned({"name=5"}).name == "5");
+    CHECK(assigned({"name=A = b"}).name == "A = b");
+    CHECK(assigned({"wind.velocity=[3, 0, 0]"}).wind()->velocity.x == 3.0);
+    CHECK(assigned({"wind=on"}).wind() == Wind{});
+    CHECK(assigned({"wind=on", "wind=off"}).wind() == std::nullopt);
+    CHECK(assigned({"gravity=off"}).gravity() == std::nullopt);
+    CHECK(assigned({"springs.drag=off"}).springs.drag == std::nullopt);
+    CHECK(assigned({"time.dt=0.001", "time.dt=auto"}).time.dt == std::nullopt);
+    CHECK(assigned({"view.springs=off", "view.masses=on"}).view.masses);
+    CHECK_FALSE(assigned({"view.springs=off"}).view.springs);
+
+    const auto refused = [&](const std::string& text) { return message_from([&] { assigned({text}); }); };
+    CHECK(refused("flag.columns=0") == "--set flag.columns = 0: a whole number from 1 to 4096 is allowed");
+    CHECK(refused("flag.columns=many") == "--set flag.columns = \"many\": a whole number from 1 to 4096 is allowed");
+    CHECK(refused("flag.width=0,5") == "--set flag.width = \"0,5\": a number from 0.001 to 1000 is allowed");
+    CHECK(refused("flag.width=1\nheight = 2") ==
+          "--set flag.width = \"1\\nheight = 2\": a number from 0.001 to 1000 is allowed");
+    CHECK(has(refused("flag.colums=3"), "--set flag.colums = 3: unknown key; did you mean columns?"));
+    CHECK(has(refused("flg.columns=3"), "unknown table; did you mean flag?"));
+    CHECK(has(refused("columns=3"), "--set columns = 3: unknown key; it belongs under [flag]"));
+    CHECK(has(refused("time.method=xpbd"), "--set time.method = \"xpbd\": not available in this version"));
+    CHECK(has(refused("springs=off"), "--set springs = \"off\": a table is expected"));
+    CHECK(has(refused("springs.mass=off"), "--set springs.mass = \"off\": a number"));
+    CHECK(has(refused("limit=on"), "--set limit: limit.stretch is missing"));
+    for (const std::string text :
+         {"", "=", "=3", "flag.columns", "flag.columns 3", "a.b.c=3", "a b=3", "[flag]=3", ".=3"})
+        CHECK(has(refused(text), "KEY=VALUE is wanted"));
+}
+
+TEST_CASE("docs/scene.md is what the table of settings says") {
+    std::ifstream page(DRAPEAU_DOCS "/scene.md");
+    const std::string text{std::istreambuf_iterator<char>(page), {}};
+    CHECK(text == settings_reference());  // drapeau-lab settings >docs/scene.md
 }
 
 TEST_CASE("a scene is found by path or by its shipped name") {

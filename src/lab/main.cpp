@@ -3,6 +3,7 @@
 #include "error.hpp"
 #include "run.hpp"
 #include "scene_file.hpp"
+#include "settings_reference.hpp"
 #include "terminal.hpp"
 #include "text.hpp"
 
@@ -39,6 +40,11 @@ int list_scenes() {
     return exit_good;
 }
 
+int list_settings() {
+    std::fputs(settings_reference().c_str(), stdout);
+    return exit_good;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -56,6 +62,7 @@ int main(int count, char** arguments) {
     run_command->add_option("--method", options.method, method_choices())->type_name("M");
     run_command->add_option("--dt", options.dt, "Step, s, or auto")->type_name("S");
     run_command->add_option("--precision", options.precision, "float or double")->type_name("P");
+    add_assignments(*run_command, options.set);
     run_command
         ->add_option("--threads", options.threads, "Threads that share a step; the result is the same for any number")
         ->type_name("N");
@@ -67,9 +74,11 @@ int main(int count, char** arguments) {
         run_command->add_option("--csv", options.csv, "Write the results as a header and a row")->type_name("FILE"));
     run_command->add_flag("--force", options.force, "Run it however long it is estimated to take");
     auto* scenes_command = app.add_subcommand("scenes", "List the shipped scenes");
+    auto* settings_command = app.add_subcommand("settings", "List every setting of a scene, with unit and range");
 
     try {
         parse(app, count, arguments);
+        if (settings_command->parsed()) return finish_output(program, list_settings());
         return finish_output(program, scenes_command->parsed() ? list_scenes() : run(options));
     } catch (const CLI::Success& help_or_version) {
         return finish_output(program, app.exit(help_or_version));
@@ -77,7 +86,7 @@ int main(int count, char** arguments) {
         if (app.get_subcommands().empty()) {
             const std::string given =
                 count > 1 ? one_line(arguments[1]) + " is no command; " : "a command is missing; ";
-            return refuse(given + "run or scenes is allowed (drapeau-lab --help says more)");
+            return refuse(given + "run, scenes or settings is allowed (drapeau-lab --help says more)");
         }
         return refuse(explained(app, error) + " (drapeau-lab --help says more)");
     } catch (const InputError& error) {

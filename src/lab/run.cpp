@@ -30,12 +30,14 @@ double processor_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-double number_option(const std::string& name, const std::string& text, double lowest, double highest,
-                     const std::string& or_word) {
+/// Nothing to simulate is fine: it gives the start. Anything else takes at least the shortest step.
+double seconds_option(const std::string& text) {
+    constexpr double longest = 1e6;
+    const double shortest_step = scene_fields::dt_range.lowest;
     const auto number = number_in(text);
-    if (number && *number >= lowest && *number <= highest) return *number;
-    throw InputError(name + " = " + one_line(text, 60) + ": " + or_word + "a number of seconds from " +
-                     shortest(lowest) + " to " + shortest(highest) + " is allowed");
+    if (number && (*number == 0.0 || (*number >= shortest_step && *number <= longest))) return *number;
+    throw InputError("--seconds = " + one_line(text, 60) + ": 0 or a number of seconds from " +
+                     shortest(shortest_step) + " to " + shortest(longest) + " is allowed");
 }
 
 int threads_option(const std::string& text) {
@@ -48,17 +50,13 @@ int threads_option(const std::string& text) {
 
 /// The scene with what the command line says instead.
 Scene scene_to_run(const RunOptions& options) {
-    Scene scene = read_scene(find_scene(options.scene));
-    if (!options.method.empty()) scene.time.method = method_named(options.method, "--method");
-    if (!options.precision.empty()) scene.time.precision = precision_named(options.precision, "--precision");
-    if (options.dt == "auto") {
-        scene.time.dt.reset();
-    } else if (!options.dt.empty()) {
-        scene.time.dt = number_option("--dt", options.dt, scene_fields::dt_range.lowest, scene_fields::dt_range.highest,
-                                      "\"auto\" or ");
-    }
-    check_scene(scene);
-    return scene;
+    std::vector<Assignment> assignments;
+    for (const std::string& text : options.set) assignments.push_back(assignment_in(text));
+    for (const Assignment& shorthand : {Assignment{"--method", "time.method", options.method},
+                                        {"--dt", "time.dt", options.dt},
+                                        {"--precision", "time.precision", options.precision}})
+        if (!shorthand.value.empty()) assignments.push_back(shorthand);
+    return read_scene(find_scene(options.scene), assignments);
 }
 
 struct Cost {
@@ -232,9 +230,7 @@ std::FILE* place_of_table(const RunOptions& options) {
 }  // namespace
 
 int run(const RunOptions& options) {
-    // Nothing to simulate is fine: it gives the start. Anything else takes at least the shortest step.
-    const double seconds =
-        number_option("--seconds", options.seconds, options.seconds == "0" ? 0.0 : 1e-9, 1e6, "0 or ");
+    const double seconds = seconds_option(options.seconds);
     const int threads = threads_option(options.threads);
     const Scene scene = scene_to_run(options);
     check_outputs({{"the scene", find_scene(options.scene).string()}}, outputs_of(options));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace drapeau::lab {
 
@@ -15,6 +16,7 @@ struct RunOptions {
     std::string method;     // "" is the scene's own, as with dt and precision
     std::string dt;         // s, or "auto"
     std::string precision;  // float or double
+    std::vector<std::string> set;  // "KEY=VALUE", instead of what the scene says
     std::string threads;    // a whole number; "" is 1
     std::string state;      // files to write; "" writes none
     std::string json;

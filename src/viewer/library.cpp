@@ -12,10 +12,10 @@ namespace drapeau {
 
 namespace fs = std::filesystem;
 
-LoadedScene load_scene(const std::string& path_or_name) {
+LoadedScene load_scene(const std::string& path_or_name, std::span<const Assignment> assignments) {
     LoadedScene loaded;
     loaded.file = find_scene(path_or_name);
-    loaded.scene = read_scene(loaded.file);
+    loaded.scene = read_scene(loaded.file, assignments);
     if (loaded.scene.flag.texture.empty()) return loaded;
     try {
         const fs::path file = find_texture(loaded.scene.flag.texture, loaded.file);

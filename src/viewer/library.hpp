@@ -3,10 +3,11 @@
 #pragma once
 
 #include "image/image.hpp"
-#include "scene.hpp"
+#include "scene_file.hpp"
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,7 @@ struct LoadedScene {
 };
 
 /// Throws InputError where the scene cannot be read. An image that cannot be is told in `fault`: the flag flies plain.
-LoadedScene load_scene(const std::string& path_or_name);
+LoadedScene load_scene(const std::string& path_or_name, std::span<const Assignment> assignments = {});
 
 /// How a scene file in `folder` should name this image: shipped ones by name, those in the folder or below it by the
 /// way from there, so that both may be moved together, others by their full path. Empty if a scene file cannot hold it.

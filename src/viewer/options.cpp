@@ -83,6 +83,7 @@ std::optional<int> read_options(int count, char** words, Options& options) {
     app.add_option("--size", size, "of the window or picture, in pixels (1280x800)")->type_name("WxH");
     take_as_path(app.add_option("--texture", options.texture, "an image for the flag, or the name of a shipped one")
                      ->type_name("FILE"));
+    add_assignments(app, options.set);
     app.add_flag("--hide-ui", options.hide_ui, "no panel");
     app.add_flag("--springs", options.springs, "show the springs");
     app.add_flag("--forces", options.forces, "colour the springs by their force");

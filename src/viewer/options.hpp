@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace drapeau {
 
@@ -11,7 +12,8 @@ struct Options {
     int frames = 0;  // 0: until the window is closed
     std::string screenshot, film;
     int width = 1280, height = 800;
-    std::string texture;  // instead of the scene's own
+    std::string texture;           // instead of the scene's own
+    std::vector<std::string> set;  // "KEY=VALUE", instead of what the scene says
     bool hide_ui = false;
     bool springs = false, forces = false, masses = false, no_texture = false;
     std::optional<float> azimuth, elevation;  // degrees

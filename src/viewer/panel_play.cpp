@@ -1,11 +1,15 @@
 // The panel's head: which scene, its clock, and what of it is seen.
 #include "panels.hpp"
 
+#include "setting_controls.hpp"
+
 #include <imgui.h>
 
 #include <algorithm>
 
 namespace drapeau {
+
+using namespace scene_fields;
 
 namespace {
 
@@ -22,9 +26,12 @@ void choose_scene(Session& session, Widgets& widgets) {
 void choose_view(Session& session, Widgets& widgets) {
     ViewSettings& view = session.scene.view;
     const float half = ImGui::GetContentRegionAvail().x * 0.5f;
-    widgets.toggle("Texture", view.texture, "The image on the flag; off: plain cloth. Key T");
+    const auto toggle = [&](bool ViewSettings::*member) {
+        edit(widgets, "view", row_of(member, view_keys), view, session.origin.view);
+    };
+    toggle(&ViewSettings::texture);
     ImGui::SameLine(half);
-    widgets.toggle("Springs", view.springs, "Every spring as a line. Key S");
+    toggle(&ViewSettings::springs);
 
     bool diagonals = session.scene.springs.diagonal_stiffness.has_value();
     if (widgets.toggle(
@@ -32,11 +39,10 @@ void choose_view(Session& session, Widgets& widgets) {
             "Diagonal springs, simulated and drawn. They resist shear and double the number of springs. Key D"))
         toggle_diagonals(session);
     ImGui::SameLine(half);
-    widgets.toggle("Force colours", view.forces,
-                   "Colours each spring by its force, white to red, with a scale in newtons below the flag. Key F");
-    widgets.toggle("Masses", view.masses, "Every mass as a point. Key M");
+    toggle(&ViewSettings::forces);
+    toggle(&ViewSettings::masses);
     ImGui::SameLine(half);
-    widgets.toggle("Cloth", view.cloth, "The surface between the masses. Key C");
+    toggle(&ViewSettings::cloth);
 }
 
 }  // namespace

@@ -1,24 +1,21 @@
 // The page on how time passes, and on keeping a scene.
 #include "panels.hpp"
 
-#include "scene_file.hpp"
+#include "setting_controls.hpp"
 
 #include <imgui.h>
 
 namespace drapeau {
 
-namespace {
+using namespace scene_fields;
 
-std::vector<std::string> method_names() {
-    std::vector<std::string> names;
-    for (std::size_t n = 0; n < method_count; ++n) names.emplace_back(name_of(Method(n)));
-    return names;
-}
+namespace {
 
 // What the methods are and what they cost, a line each.
 std::string about_methods() {
     std::string text =
-        "How a step is taken. Halving the step divides the error by 2 to the power of the method's order; every force "
+        "time.method: how a step is taken. Halving the step divides the error by 2 to the power of the method's order; "
+        "every force "
         "evaluation costs about the same time.";
     for (std::size_t n = 0; n < method_count; ++n)
         with_method(Method(n), [&]<class M>(const M&) {
@@ -29,19 +26,11 @@ std::string about_methods() {
 }
 
 void edit_method(Session& session, Widgets& widgets) {
-    static const std::vector<std::string> methods = method_names();
     static const std::string about = about_methods();
     TimeSettings& time = session.scene.time;
-    int method = int(time.method);
-    if (widgets.choice("Method", method, methods, int(session.origin.time.method), about.c_str()))
-        time.method = Method(method);
-    const std::vector<std::string> precisions{std::string(name_of(Precision::single_precision)),
-                                              std::string(name_of(Precision::double_precision))};
-    int precision = int(time.precision);
-    if (widgets.choice(
-            "Precision", precision, precisions, int(session.origin.time.precision),
-            "Floating-point type. double takes about twice the time and matters in long or very accurate runs."))
-        time.precision = Precision(precision);
+    const TimeSettings& origin = session.origin.time;
+    edit(widgets, row_of(&TimeSettings::method, time_keys), about, time.method, origin.method);
+    edit(widgets, "time", row_of(&TimeSettings::precision, time_keys), time, origin);
 }
 
 void edit_step(Session& session, Widgets& widgets) {
@@ -54,12 +43,8 @@ void edit_step(Session& session, Widgets& widgets) {
             "method would create energy. Off: the step below is used."))
         dt = automatic ? std::nullopt : std::optional(status.dt > 0.0 ? status.dt : 1e-4);
     if (!dt) return;
-    widgets.slider(
-        "Step size", *dt,
-        {.low = 1e-5, .high = 1000.0 / 60.0, .logarithmic = true, .format = "%.4g ms", .shown_per_unit = 1000.0},
-        session.origin.time.dt.value_or(*dt),
-        "Rounded down to a whole number of steps per 1/60 s. A larger step takes less time and is less accurate; above "
-        "the stability limit the run diverges.");
+    const auto row = row_of(&TimeSettings::dt, time_keys);
+    edit(widgets, row, tip_of("time", row.key, row.about), *dt, session.origin.time.dt.value_or(*dt));
 }
 
 }  // namespace

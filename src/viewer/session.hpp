@@ -90,12 +90,6 @@ inline void say(Session& session, const std::string& text, bool trouble) {
     session.message = {.text = text, .trouble = trouble, .seconds_left = trouble ? 0.0 : 5.0};
 }
 
-/// A reason, as the run gives it, as a sentence of its own.
-inline std::string as_sentence(std::string reason) {
-    if (!reason.empty() && reason.front() >= 'a' && reason.front() <= 'z') reason.front() += 'A' - 'a';
-    return reason + ".";
-}
-
 /// Diagonal springs off, or on as stiff as they last were.
 inline void toggle_diagonals(Session& session) {
     auto& stiffness = session.scene.springs.diagonal_stiffness;

@@ -46,7 +46,9 @@ void preset_view(const Options& options, ViewSettings& view) {
 
 /// The scene with what the command line says instead, and whether the files asked for can be written.
 LoadedScene loaded_for(const Options& options) {
-    LoadedScene loaded = load_scene(options.scene);
+    std::vector<Assignment> assignments;
+    for (const std::string& text : options.set) assignments.push_back(assignment_in(text));
+    LoadedScene loaded = load_scene(options.scene, assignments);
     std::vector<NamedFile> inputs{{"the scene", loaded.file.string()}}, outputs;
     if (!loaded.texture_file.empty()) inputs.push_back({"the scene's texture", loaded.texture_file.string()});
     if (!options.texture.empty()) inputs.push_back({"--texture", find_picture(options.texture).string()});

@@ -89,16 +89,16 @@ bool Widgets::back_arrow(const char* label, bool differs) {
     return clicked;
 }
 
-bool Widgets::slider(const char* label, double& value, const Range& range, double origin, const char* tip_text) {
+bool Widgets::slider(const char* label, double& value, const SliderScale& scale, double origin, const char* tip_text) {
     ImGui::PushID(label);
     begin_row(label, true);
-    double shown = value * range.shown_per_unit;
+    double shown = value * scale.shown_per_unit;
     ImGui::SetNextItemWidth(control_width());
     ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat;
-    if (range.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
-    bool changed =
-        ImGui::SliderScalar("##value", ImGuiDataType_Double, &shown, &range.low, &range.high, range.format, flags);
-    if (changed) value = shown / range.shown_per_unit;
+    if (scale.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
+    bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &shown, &scale.low, &scale.high,
+                                       scale.format.c_str(), flags);
+    if (changed) value = shown / scale.shown_per_unit;
     note(label, digits(shown));
     tip(tip_text);
     if (back_arrow(label, differ(value, origin))) {
@@ -124,31 +124,31 @@ bool Widgets::slider(const char* label, int& value, int low, int high, int origi
     return changed;
 }
 
-bool Widgets::term(const char* label, std::optional<double>& value, const Range& range,
-                   const std::optional<double>& origin, double otherwise, const char* tip_text) {
+bool Widgets::term(const char* label, std::optional<double>& value, const SliderScale& scale,
+                   const std::optional<double>& origin, double usual, const std::string& absent, const char* tip_text) {
     ImGui::PushID(label);
     begin_row(label, value.has_value());
     bool on = value.has_value();
     bool changed = ImGui::Checkbox("##on", &on);
     note((std::string(label) + " on").c_str(), on ? "1" : "0");
     tip("On or off. What is off is not computed and costs nothing.");
-    if (changed) value = on ? std::optional(origin.value_or(otherwise)) : std::nullopt;
+    if (changed) value = on ? std::optional(origin.value_or(usual)) : std::nullopt;
     ImGui::SameLine();
     ImGui::SetNextItemWidth(control_width());
     if (value) {
-        double shown = *value * range.shown_per_unit;
+        double shown = *value * scale.shown_per_unit;
         ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat;
-        if (range.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
-        if (ImGui::SliderScalar("##value", ImGuiDataType_Double, &shown, &range.low, &range.high, range.format,
+        if (scale.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
+        if (ImGui::SliderScalar("##value", ImGuiDataType_Double, &shown, &scale.low, &scale.high, scale.format.c_str(),
                                 flags)) {
-            value = shown / range.shown_per_unit;
+            value = shown / scale.shown_per_unit;
             changed = true;
         }
         note(label, digits(shown));
     } else {
         ImGui::BeginDisabled();
-        double none = range.low;
-        ImGui::SliderScalar("##value", ImGuiDataType_Double, &none, &range.low, &range.high, "not modelled", 0);
+        double none = scale.low;
+        ImGui::SliderScalar("##value", ImGuiDataType_Double, &none, &scale.low, &scale.high, absent.c_str(), 0);
         ImGui::EndDisabled();
     }
     tip(tip_text);

@@ -10,10 +10,10 @@
 
 namespace drapeau {
 
-struct Range {
+struct SliderScale {
     double low = 0.0, high = 1.0;  // in the unit shown
     bool logarithmic = false;
-    const char* format = "%.3g";  // printf, with the unit
+    std::string format = "%.3g";  // printf, with the unit
     double shown_per_unit = 1.0;  // 1000 shows metres as millimetres
 };
 
@@ -21,12 +21,13 @@ class Widgets {
 public:
     explicit Widgets(UiMap& map) : map_(map) {}
 
-    bool slider(const char* label, double& value, const Range& range, double origin, const char* tip);
+    bool slider(const char* label, double& value, const SliderScale& scale, double origin, const char* tip);
     bool slider(const char* label, int& value, int low, int high, int origin, const char* tip);
 
-    /// A term that may be missing: a switch and a slider. Switched on, it has `origin` or else `otherwise`.
-    bool term(const char* label, std::optional<double>& value, const Range& range, const std::optional<double>& origin,
-              double otherwise, const char* tip);
+    /// A number that may be missing: a switch and a slider, or the word `absent`. Switched on, it is `origin` or else
+    /// `usual`.
+    bool term(const char* label, std::optional<double>& value, const SliderScale& scale,
+              const std::optional<double>& origin, double usual, const std::string& absent, const char* tip);
 
     bool toggle(const char* label, bool& value, const char* tip);
     bool choice(const char* label, int& index, const std::vector<std::string>& names, int origin, const char* tip);

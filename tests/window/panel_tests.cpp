@@ -4,6 +4,8 @@
 #include "scenes.hpp"
 
 #include "catch.hpp"
+#include "scene_fields.hpp"
+#include "scene_file.hpp"
 
 using namespace drapeau::window_tests;
 
@@ -35,7 +37,44 @@ void choose(App& app, const std::string& label, const std::string& entry) {
                    [&](const Look& look) { return look.has(label) && look.controls.at(label).value == entry; });
 }
 
+/// The label in the UI map that shows that a setting has its control.
+template <class Settings, class Value>
+std::string sign_of(const std::string& table, const drapeau::scene_fields::Key<Settings, Value>& field) {
+    const std::string name = drapeau::scene_fields::full_name(table, field.key), label = field.about.label;
+    if (name == "wind.velocity") return "Wind speed";  // as speed and direction
+    if (name == "time.dt") return "Step chosen automatically";
+    if (std::is_same_v<Value, glm::dvec3>) return label + " across";
+    if (std::is_same_v<Value, std::optional<double>> || name == "limit.stretch") return label + " on";
+    return label;
+}
+
 }  // namespace
+
+TEST_CASE("every setting of a scene has its control") {
+    using namespace drapeau::scene_fields;
+    drapeau::Scene scene;
+    scene.springs.drag = 0.0006;
+    scene.wind().emplace();
+    scene.gravity().emplace();
+    Screen screen;
+    TemporaryFolder folder;
+    App app(screen, {written(folder, "all.toml", drapeau::write_scene(scene)), "--size", "900x640"});
+    each_table(scene, [&](const std::string& table, const auto&, const auto& keys, bool) {
+        if (table.empty()) return;  // the name is the window's title
+        const std::string page = table == "flag"   ? "Flag"
+                                 : table == "wind" ? "Wind"
+                                 : table == "time" ? "Time"
+                                                   : "Springs";
+        app.click("Page: " + page);
+        app.wait_until("the page", [&](const Look& look) { return look.controls.at("Page: " + page).value == "1"; });
+        if (table == "view") app.click("Page: Flag");  // "Shaped like its image" stands there
+        app.settle();
+        each_key(keys, [&](const auto& field) {
+            app.show(sign_of(table, field));
+            CHECK(app.look().has(sign_of(table, field)));
+        });
+    });
+}
 
 TEST_CASE_METHOD(StillFlag, "a broken image gives a message and leaves the flag as it was") {
     const std::string whole = read_text(flag_file("france.png"));

@@ -1,0 +1,23 @@
+#include "setting_controls.hpp"
+
+namespace drapeau {
+
+std::string tip_of(std::string_view table, std::string_view key, const scene_fields::About& about) {
+    return as_sentence(about.help) + " " + as_sentence(about.tip) + "\n" +
+           scene_fields::full_name(table, key);
+}
+
+SliderScale scale_of(const scene_fields::About& about, const scene_fields::Control& control) {
+    const std::string_view unit = control.unit.empty() ? about.unit : control.unit;
+    std::string format(control.number);
+    if (!unit.empty()) format.append(" ").append(unit == "%" ? "%%" : unit);
+    return {control.range.lowest, control.range.highest, control.logarithmic, format, control.shown_per_unit};
+}
+
+bool switch_table(Widgets& widgets, std::string_view name, std::string_view remark, bool on) {
+    const std::string label = capitalised(name);
+    const std::string tip = label + " on or off. What is off is not computed and costs nothing. " + std::string(remark);
+    return widgets.toggle(label.c_str(), on, tip.c_str());
+}
+
+}  // namespace drapeau
