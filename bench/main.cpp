@@ -7,16 +7,14 @@
 #include "peers.hpp"
 
 #include "error.hpp"
+#include "output_file.hpp"
 #include "text.hpp"
 
 #include <CLI/CLI.hpp>
 #include <benchmark/benchmark.h>
 #include <nlohmann/json.hpp>
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
 #include <new>
 
 namespace {
@@ -78,13 +76,6 @@ void register_cases(Run& run) {
     }
 }
 
-/// Opens the file before hours of measuring, not after.
-std::ofstream opened(const std::string& file) {
-    std::ofstream stream(file);
-    if (!stream) throw InputError("--json " + file + " cannot be written: " + std::strerror(errno));
-    return stream;
-}
-
 InputError of_no_use(const std::string& extra) {
     return InputError("there is no use for " + one_line(in_quotes(extra), 60) + " here (--help says more)");
 }
@@ -104,8 +95,7 @@ int run_cases(const Options& options, std::vector<std::string> extras) {
     Quiet quiet;
     const bool only_list = std::any_of(extras.begin(), extras.end(),
                                        [](const auto& e) { return e.starts_with("--benchmark_list_tests"); });
-    std::ofstream json;
-    if (!options.json.empty()) json = opened(options.json);
+    if (!options.json.empty()) check_writable(options.json);  // before hours of measuring, not after
     if (!options.smoke && !only_list) {
         run.peaks = measure_peaks();
         print_head(Machine::here(), run.peaks);
@@ -118,10 +108,9 @@ int run_cases(const Options& options, std::vector<std::string> extras) {
         std::printf("%d cases, %zu failed\n", run.checked, run.failures.size());
         return run.failures.empty() ? 0 : 1;
     }
-    if (json.is_open()) {
-        json << to_json(Machine::here(), run.peaks, run.records).dump(1) << '\n';
-        json.close();
-        if (!json) throw InputError("--json " + options.json + " cannot be written: " + std::strerror(errno));
+    if (!options.json.empty()) {
+        const std::string text = to_json(Machine::here(), run.peaks, run.records).dump(1) + "\n";
+        write_file(options.json, [&](const Append& append) { append(text); });
     }
     return 0;
 }

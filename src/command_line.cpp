@@ -3,7 +3,10 @@
 #include "given_path.hpp"
 #include "text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 
 namespace drapeau {
@@ -43,6 +46,18 @@ bool is_file_like(const std::string& word) {
 
 void take_as_path(CLI::Option* option) {
     option->transform([](const std::string& given) { return meant_path(given); }, "");
+}
+
+CLI::Validator whole_number(long long lowest, long long highest) {
+    return CLI::Validator(
+        [=](std::string& text) {
+            long long value = 0;
+            const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+            const bool whole = fault == std::errc{} && end == text.data() + text.size();
+            if (whole && value >= lowest && value <= highest) return std::string();
+            return fmt::format("{}: a whole number from {} to {} is allowed", one_line(text, 60), lowest, highest);
+        },
+        "");
 }
 
 void add_assignments(CLI::App& app, std::vector<std::string>& assignments) {

@@ -11,6 +11,9 @@ namespace drapeau {
 /// Lets an option's value be a path as people give it (given_path.hpp).
 void take_as_path(CLI::Option* option);
 
+/// A whole number from `lowest` to `highest`, written in digits.
+CLI::Validator whole_number(long long lowest, long long highest);
+
 /// Adds --set KEY=VALUE, which may be given several times.
 void add_assignments(CLI::App& app, std::vector<std::string>& assignments);
 

@@ -1,11 +1,12 @@
 #include "text.hpp"
 
-#include <cstdio>
-#include <iterator>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <vector>
 
@@ -107,7 +108,6 @@ std::string quantity(double value, std::string_view unit, int digits) {
     };
     constexpr Prefix prefixes[] = {{"G", 1e9},  {"M", 1e6},         {"k", 1e3}, {"", 1.0},
                                    {"m", 1e-3}, {"\xc2\xb5", 1e-6}, {"n", 1e-9}};
-    char text[40];
     const char* prefix = "";
     double factor = 1.0;
     if (std::isfinite(value) && value != 0.0) {
@@ -117,8 +117,7 @@ std::string quantity(double value, std::string_view unit, int digits) {
                                         [&](const Prefix& p) { return size >= p.factor; });
         prefix = fits->text, factor = fits->factor;
     }
-    std::snprintf(text, sizeof text, "%.*g", digits, value / factor);
-    return text + (" " + std::string(prefix)) + std::string(unit);
+    return fmt::format("{:.{}g} {}{}", value / factor, digits, prefix, unit);
 }
 
 std::optional<double> number_in(std::string_view text) {

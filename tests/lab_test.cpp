@@ -248,10 +248,24 @@ TEST_CASE("results are a table for a person, a JSON object and a CSV row for pro
     std::getline(csv, row);
     CHECK(header.starts_with("scene,columns,rows,modelled,method,precision,threads,time_s,steps,dt_s,"));
     CHECK(
-        row.starts_with("\"Storm\",50,30,\"springs + diagonal springs + spring damping + gravity + air drag + "
-                        "wind\",\"semi-implicit-euler\",\"float\",1,0.1,1000,0.0001,"));
+        row.starts_with("Storm,50,30,springs + diagonal springs + spring damping + gravity + air drag + wind,"
+                        "semi-implicit-euler,float,1,0.1,1000,0.0001,"));
     CHECK(std::count(header.begin(), header.end(), ',') == std::count(row.begin(), row.end(), ','));
     CHECK_FALSE(std::getline(csv, more));
+}
+
+TEST_CASE("results hold whatever a scene is called") {
+    const Bench bench;
+    const std::string name = "A \"flag\", of 2 m; \\ \xc3\xa9";
+    bench.write("named.toml", sheet);
+    REQUIRE(bench.run("run named.toml --seconds 0 --json r.json --csv r.csv --set 'name=" + name + "'").status == 0);
+    const std::string json = contents(bench.path / "r.json");
+    CHECK(has(json, "\"scene\": \"A \\\"flag\\\", of 2 m; \\\\ \xc3\xa9\""));
+    CHECK(has(json, "\"real_time_factor\": null"));
+    const std::string csv = contents(bench.path / "r.csv");
+    const std::string row = csv.substr(csv.find('\n') + 1);
+    CHECK(row.starts_with("\"A \"\"flag\"\", of 2 m; \\ \xc3\xa9\",4,"));
+    CHECK(has(csv, ",real_time_factor,"));
 }
 
 TEST_CASE("a numeric step is used as given, and the time is a whole number of such steps") {
@@ -335,7 +349,8 @@ TEST_CASE("a bad command line is refused in one line") {
         check_refused(bench.run("run storm --seconds 1 --dt " + dt), "--dt = " + dt);
     }
     for (const std::string threads : {"0", "-2", "1.5", "many", "1e9"}) {
-        check_refused(bench.run("run storm --seconds 1 --threads " + threads), "--threads = " + threads);
+        check_refused(bench.run("run storm --seconds 1 --threads " + threads),
+                      "--threads: " + threads + ": a whole number from 1 to 256 is allowed");
     }
     check_refused(bench.run("run storm --seconds 1 --method rk5"), "--method = \"rk5\": \"forward-euler\"");
     check_refused(bench.run("run storm --seconds 1 --method xpbd"), "not available in this version");
@@ -546,7 +561,9 @@ TEST_CASE("what float cannot honour is computed in double or refused, and that i
     const Bench bench;
     // With "auto" the program chooses, whether the time is a whole number of batches or not.
     for (const std::string seconds : {"0.002", "0.0166666666666666667"}) {
-        const auto forward = bench.run("run report --method forward-euler --json r.json --seconds " + seconds);
+        const auto forward = bench.run(
+            "run report --method forward-euler --json r.json --set flag.columns=4 --set flag.rows=3 --seconds " +
+            seconds);
         REQUIRE(forward.status == 0);
         CHECK(has(forward.messages, "computed in double: float cannot honour steps of"));
         CHECK(has(contents(bench.path / "r.json"), "\"precision\": \"double\""));

@@ -143,7 +143,7 @@ TEST_CASE("The closed forms are what an independent program computed", "[physics
           Approx(std::cos(101.0721020568 * 5.0)).epsilon(1e-9));
 }
 
-TEST_CASE("Semi-implicit Euler conserves its shadow energy; the plain energy swings about it", "[physics]") {
+TEST_CASE("Semi-implicit Euler conserves its shadow energy, and the plain energy swings about it", "[physics]") {
     const double m = 0.01, k = 100.0, dt = 0.005;  // omega dt = 0.5
     Displaced<double, SemiImplicitEuler> mass(oscillator(m, k, {}), 1.0);
     const double initial = 0.5 * k;

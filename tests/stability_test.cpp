@@ -201,7 +201,7 @@ TEST_CASE("Limits in theory are what an independent program found", "[physics]")
     CHECK(theory(Rk4{}, 1.0, 4.0, 0.0) == Approx(0.746).epsilon(1e-3));
 }
 
-TEST_CASE("Runge-Kutta is stable in the left half of |z| <= 2.6155 and no wider", "[physics]") {
+TEST_CASE("Runge-Kutta is stable in the left half of a circle of 2.6155 and no wider", "[physics]") {
     double greatest = 0.0, greatest_beyond = 0.0;
     for (int n = 0; n <= 9000; ++n) {
         const auto direction = std::polar(1.0, 0.5 * pi + 0.5 * pi * n / 9000.0);

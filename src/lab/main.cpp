@@ -65,7 +65,8 @@ int main(int count, char** arguments) {
     add_assignments(*run_command, options.set);
     run_command
         ->add_option("--threads", options.threads, "Threads that share a step; the result is the same for any number")
-        ->type_name("N");
+        ->type_name("N")
+        ->check(whole_number(1, 256));
     take_as_path(
         run_command->add_option("--state", options.state, "Write the state of every mass")->type_name("FILE.csv"));
     take_as_path(

@@ -1,15 +1,24 @@
 #include "results.hpp"
 
-#include "text.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 namespace drapeau::lab {
 
-std::string json_number(double value) {
-    return std::isfinite(value) ? shortest(value) : "null";
+namespace {
+
+/// A field of a CSV row. (A number reads the same in JSON.)
+std::string csv_field(const nlohmann::json& value) {
+    if (value.is_number_float() && !std::isfinite(value.get<double>())) return "";
+    if (!value.is_string()) return value.dump();
+    std::string text = value;
+    if (text.find_first_of("\",\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + "\"";
 }
+
+}  // namespace
 
 std::string as_table(const std::vector<Result>& results) {
     std::size_t width = 0;
@@ -23,20 +32,17 @@ std::string as_table(const std::vector<Result>& results) {
 }
 
 std::string as_json(const std::vector<Result>& results) {
-    std::string json = "{\n";
-    for (const Result& result : results) {
-        json += "  " + in_quotes(result.key) + ": " + result.value + (&result == &results.back() ? "\n" : ",\n");
-    }
-    return json + "}\n";
+    nlohmann::ordered_json object;
+    for (const Result& result : results) object[result.key] = result.value;
+    return object.dump(2) + "\n";
 }
 
 std::string as_csv(const std::vector<Result>& results) {
-    std::string header;
-    std::string row;
+    std::string header, row;
     for (const Result& result : results) {
         const std::string_view separator = header.empty() ? "" : ",";
         header.append(separator).append(result.key);
-        row.append(separator).append(result.value == "null" ? "" : result.value);
+        row.append(separator).append(csv_field(result.value));
     }
     return header + "\n" + row + "\n";
 }

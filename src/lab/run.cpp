@@ -40,14 +40,6 @@ double seconds_option(const std::string& text) {
                      shortest(shortest_step) + " to " + shortest(longest) + " is allowed");
 }
 
-int threads_option(const std::string& text) {
-    constexpr double most = 256;
-    const double number = text.empty() ? 1.0 : number_in(text).value_or(0.0);
-    if (number >= 1.0 && number <= most && number == std::trunc(number)) return static_cast<int>(number);
-    throw InputError("--threads = " + one_line(text, 60) + ": a whole number from 1 to " + shortest(most) +
-                     " is allowed");
-}
-
 /// The scene with what the command line says instead.
 Scene scene_to_run(const RunOptions& options) {
     std::vector<Assignment> assignments;
@@ -161,10 +153,10 @@ std::vector<Result> results_of(const Simulation& simulation, int threads, const 
 
     std::vector<Result> results;
     const auto text = [&](const std::string& key, std::string_view value, const std::string& label) {
-        results.push_back({key, in_quotes(value), label, std::string(value)});
+        results.push_back({key, std::string(value), label, std::string(value)});
     };
-    const auto number = [&](const std::string& key, double value, const std::string& label, const std::string& shown) {
-        results.push_back({key, json_number(value), label, std::isfinite(value) ? shown : "-"});
+    const auto number = [&](const std::string& key, auto value, const std::string& label, const std::string& shown) {
+        results.push_back({key, value, label, std::isfinite(static_cast<double>(value)) ? shown : "-"});
     };
     const auto measure = [&](const std::string& key, double value, const std::string& label, const std::string& unit) {
         number(key, value, label, with_unit(value, unit));
@@ -177,7 +169,7 @@ std::vector<Result> results_of(const Simulation& simulation, int threads, const 
     text("precision", name_of(simulation.precision()), "precision");
     number("threads", threads, "threads", std::to_string(threads));
     measure("time_s", time, "time simulated", "s");
-    number("steps", static_cast<double>(simulation.steps()), "steps", std::to_string(simulation.steps()));
+    number("steps", simulation.steps(), "steps", std::to_string(simulation.steps()));
     number("dt_s", simulation.dt(), "step", with_unit(simulation.dt(), "s") + " (" + of_limit + ")");
     number("stability_limit_s", limit.is_finite() ? limit.seconds() : NAN, "", "");
     measure("cpu_ms_per_simulated_s", milliseconds, "CPU per simulated second", "ms");
@@ -191,14 +183,14 @@ std::vector<Result> results_of(const Simulation& simulation, int threads, const 
     number("created_energy_share", readings.created_share, "energy created by the method",
            with_unit(100.0 * readings.created_share, "% of all there could be"));
     if (scene.limits.get<StretchLimit>()) {
-        number("limit_sweeps", static_cast<double>(readings.limit.sweeps), "stretch limit",
+        number("limit_sweeps", readings.limit.sweeps, "stretch limit",
                std::to_string(readings.limit.sweeps) + " sweeps in the last batch, " +
                    (readings.limit.met ? "met" : "not met") + ": at most " +
                    with_unit(100.0 * readings.limit.max_stretch, "%"));
-        results.push_back({"limit_met", readings.limit.met ? "true" : "false", "", ""});
+        results.push_back({"limit_met", readings.limit.met, "", ""});
     }
     text("state_hash", hash, "state hash");
-    results.push_back({"diverged", divergence ? "true" : "false", "", ""});
+    results.push_back({"diverged", divergence.has_value(), "", ""});
     return results;
 }
 
@@ -231,7 +223,6 @@ std::FILE* place_of_table(const RunOptions& options) {
 
 int run(const RunOptions& options) {
     const double seconds = seconds_option(options.seconds);
-    const int threads = threads_option(options.threads);
     const Scene scene = scene_to_run(options);
     check_outputs({{"the scene", find_scene(options.scene).string()}}, outputs_of(options));
     const Plan plan = plan_for(scene, seconds, options.seconds);
@@ -241,11 +232,11 @@ int run(const RunOptions& options) {
     Simulation simulation(planned);
     if (plan.dt) simulation.use_exact_dt();
     if (!options.force) check_duration(scene, simulation, seconds);
-    simulation.use_threads(threads);
+    simulation.use_threads(options.threads);
 
     Cost cost;
     const auto divergence = carry_out(plan, simulation, cost, options.force);
-    const auto results = results_of(simulation, threads, cost, divergence);
+    const auto results = results_of(simulation, options.threads, cost, divergence);
     write_results(options, results);
     const std::string remark = plan.remark.empty() ? simulation.precision_remark() : plan.remark;
     if (!remark.empty()) complain("drapeau-lab", remark);

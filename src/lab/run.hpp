@@ -11,14 +11,14 @@ inline constexpr int exit_bad_input = 2;
 inline constexpr int exit_diverged = 3;
 
 struct RunOptions {
-    std::string scene;      // a path or the name of a shipped scene
-    std::string seconds;    // s of simulated time
-    std::string method;     // "" is the scene's own, as with dt and precision
-    std::string dt;         // s, or "auto"
-    std::string precision;  // float or double
+    std::string scene;             // a path or the name of a shipped scene
+    std::string seconds;           // s of simulated time
+    std::string method;            // "" is the scene's own, as with dt and precision
+    std::string dt;                // s, or "auto"
+    std::string precision;         // float or double
     std::vector<std::string> set;  // "KEY=VALUE", instead of what the scene says
-    std::string threads;    // a whole number; "" is 1
-    std::string state;      // files to write; "" writes none
+    int threads = 1;
+    std::string state;  // files to write; "" writes none
     std::string json;
     std::string csv;
     bool force = false;  // whatever time it is estimated to take

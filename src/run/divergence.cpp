@@ -3,9 +3,10 @@
 #include "scene_file.hpp"
 #include "text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <tuple>
 #include <utility>
 
@@ -54,7 +55,8 @@ std::pair<int, int> worst(const State<double>& state) {
 }
 
 std::string cause_and_remedy(Method method, const Divergence& d) {
-    const std::string name(name_of(method));
+    const std::string_view name = name_of(method);
+    const std::string step = quantity(d.dt, "s"), limit = d.limit.is_finite() ? quantity(d.limit.seconds(), "s") : "";
     const std::string remedy = d.safe_dt > 0.0 ? "a step of " + quantity(d.safe_dt, "s") + " holds"
                                : method == method_id<ForwardEuler>
                                    ? "semi-implicit-euler takes far larger ones"
@@ -62,17 +64,20 @@ std::string cause_and_remedy(Method method, const Divergence& d) {
     switch (d.cause) {
         case Divergence::Cause::past_the_limit:
             if (d.limit.is_none())
-                return name + " has no stable step without drag or friction: choose semi-implicit-euler";
-            return "the step " + quantity(d.dt, "s") + " is above the stability limit " +
-                   quantity(d.limit.seconds(), "s") + " of " + name + " for these springs and this damping; " + remedy;
+                return fmt::format("{} has no stable step without drag or friction: choose semi-implicit-euler", name);
+            return fmt::format(
+                "the step {} is above the stability limit {} of {} for these springs and this damping; {}", step, limit,
+                name, remedy);
         case Divergence::Cause::energy_created:
-            return "the step " + quantity(d.dt, "s") + " is within the stability limit " +
-                   quantity(d.limit.seconds(), "s") + " of " + name +
-                   ", but the motion is so violent that the method creates energy; " + remedy;
+            return fmt::format(
+                "the step {} is within the stability limit {} of {}, but the motion is so violent that the "
+                "method creates energy; {}",
+                step, limit, name, remedy);
         case Divergence::Cause::energy_lost:
-            return "the step " + quantity(d.dt, "s") + " is within the stability limit " +
-                   quantity(d.limit.seconds(), "s") + " of " + name +
-                   ", but too large for it to keep the energy of this motion; " + remedy;
+            return fmt::format(
+                "the step {} is within the stability limit {} of {}, but too large for it to keep the energy "
+                "of this motion; {}",
+                step, limit, name, remedy);
         case Divergence::Cause::beyond_precision:
             break;
     }
@@ -148,10 +153,8 @@ Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const
         }
     }
 
-    char where[160];
-    std::snprintf(where, sizeof where, "diverged at step %lld (t = %.4g s) at column %d, row %d: ", d.step, d.time,
-                  d.column, d.row);
-    d.message = where + cause_and_remedy(method, d);
+    d.message = fmt::format("diverged at step {} (t = {:.4g} s) at column {}, row {}: {}", d.step, d.time, d.column,
+                            d.row, cause_and_remedy(method, d));
     engine.restore(good_place);
     watch = watch_then;
     return d;

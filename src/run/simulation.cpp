@@ -10,8 +10,9 @@
 
 #include "drapeau/precision.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 
 namespace drapeau {
 namespace {
@@ -264,12 +265,10 @@ StableStep Simulation::stability_limit() const {
 
 std::string Simulation::lowered_because() const {
     if (run_->lowered == 1.0) return "";
-    char line[200];
-    std::snprintf(line, sizeof line,
-                  "the automatic step is at %.2g %% of its usual size: the motion is violent and a larger step would "
-                  "create energy",
-                  100.0 * run_->lowered);
-    return line;
+    return fmt::format(
+        "the automatic step is at {:.2g} % of its usual size: the motion is violent and a larger step would create "
+        "energy",
+        100.0 * run_->lowered);
 }
 
 Precision Simulation::precision() const {

@@ -7,8 +7,9 @@
 #include "drapeau/precision.hpp"
 #include "drapeau/stability.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 
 namespace drapeau {
 
@@ -18,13 +19,10 @@ double chosen_step(const Scene& scene, const Model& model, bool exact, double lo
         return whole_steps_per_batch(
             with_method(scene.time.method, [&](const auto& method) { return automatic_step(method, model, lowered); }));
     const double wanted = whole_steps_per_batch(automatic_step(SemiImplicitEuler{}, model));
-    char line[240];
-    std::snprintf(line, sizeof line,
-                  "time.dt = \"auto\": %s has no stable step without drag or friction; "
-                  "for a step of %s their sum must exceed %.3g N s/m, or choose semi-implicit-euler",
-                  std::string(name_of(scene.time.method)).c_str(), quantity(wanted, "s").c_str(),
-                  damping_needed(model, wanted));
-    throw InputError(line);
+    throw InputError(
+        fmt::format("time.dt = \"auto\": {} has no stable step without drag or friction; for a step of {} "
+                    "their sum must exceed {:.3g} N·s/m, or choose semi-implicit-euler",
+                    name_of(scene.time.method), quantity(wanted, "s"), damping_needed(model, wanted)));
 }
 
 Precision chosen_precision(const Scene& scene, const Model& model, double dt) {
