@@ -1,5 +1,7 @@
 #include "window.hpp"
 
+#include "dead_window_manager.hpp"
+
 #include "error.hpp"
 
 #include <GL/glew.h>
@@ -147,6 +149,7 @@ Window::Window(const WindowSettings& settings) {
         throw InputError("OpenGL 3.3 is needed; its functions could not be loaded");
     }
 
+    forget_dead_window_manager();
     glfwSetWindowUserPointer(window_, &queue_);
     glfwSetKeyCallback(window_, on_key);
     glfwSetMouseButtonCallback(window_, on_button);
