@@ -131,18 +131,7 @@ void Gui::begin(const GuiFrame& frame, const std::vector<InputEvent>& events) {
     io.DisplaySize = {frame.size.x, frame.size.y};
     io.DisplayFramebufferScale = {frame.pixels_per_unit, frame.pixels_per_unit};
     if (frame.seconds > 0.0f) io.DeltaTime = frame.seconds;
-#if IMGUI_VERSION_NUM < 18700
-    // Before 1.87 ImGui sees only which keys are down when the frame begins; later ones queue presses themselves.
-    for (const int key : held_) io.KeysDown[key] = false;
-    held_.clear();
-    for (const InputEvent& event : events) {
-        if (event.kind != InputEvent::Kind::key || event.code < 0 || io.KeysDown[event.code]) continue;
-        io.KeysDown[event.code] = true;
-        held_.push_back(event.code);
-    }
-#else
-    (void)events;
-#endif
+    keys_.feed(events);
     ImGui::NewFrame();
     // The same for keys.
     if (is_number_typed())

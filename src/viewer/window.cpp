@@ -1,6 +1,7 @@
 #include "window.hpp"
 
 #include "dead_window_manager.hpp"
+#include "keyboard.hpp"
 
 #include "error.hpp"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <string_view>
 #include <utility>
 
 namespace drapeau {
@@ -41,6 +43,8 @@ Key key_of(int code) {
             return Key::keypad_add;
         case GLFW_KEY_KP_SUBTRACT:
             return Key::keypad_subtract;
+        case GLFW_KEY_KP_DECIMAL:
+            return Key::keypad_decimal;
         default:
             return Key::other;
     }
@@ -68,17 +72,38 @@ InputEvent& queue(GLFWwindow* window, Kind kind) {
     return event;
 }
 
+/// What each key that types something types unshifted on the present layout. GLFW numbers them by their US labels.
+std::vector<std::string> layout_now() {
+    std::vector<std::string> layout;
+    for (const char us_label : std::string_view("`1234567890-=QWERTYUIOP[]\\ASDFGHJKL;'ZXCVBNM,./"))
+        if (const char* types = glfwGetKeyName(us_label, 0)) layout.emplace_back(types);
+    return layout;
+}
+
+bool is_us_letter(int code) {
+    return code >= GLFW_KEY_A && code <= GLFW_KEY_Z;
+}
+
+char letter_of(int code, int scancode) {
+    const char* types = glfwGetKeyName(code, scancode);
+    const char us_letter = is_us_letter(code) ? char('a' + code - GLFW_KEY_A) : '\0';
+    return shortcut_letter(types ? types : "", us_letter, layout_now());
+}
+
 void on_key(GLFWwindow* window, int code, int scancode, int action, int modifiers) {
-    if (action == GLFW_RELEASE) return;
     const Key key = key_of(code);
     const bool repeats = key == Key::left || key == Key::right || key == Key::up || key == Key::down;
     if (action == GLFW_REPEAT && !repeats) return;
-    InputEvent& event = queue(window, Kind::key);
+    InputEvent& event = queue(window, action == GLFW_RELEASE ? Kind::key_up : Kind::key);
     event.key = key;
-    event.code = code;
+    event.letter = letter_of(code, scancode);
+    event.code = event.letter ? GLFW_KEY_A + event.letter - 'a' : is_us_letter(code) ? GLFW_KEY_UNKNOWN : code;
     event.control = modifiers & GLFW_MOD_CONTROL;
-    const char* name = glfwGetKeyName(code, scancode);
-    event.character = name ? name : "";
+    event.desktop = modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER);
+}
+
+void on_character(GLFWwindow* window, unsigned character) {
+    queue(window, Kind::character).typed = character;
 }
 
 void on_button(GLFWwindow* window, int button, int action, int modifiers) {
@@ -164,6 +189,7 @@ Window::~Window() {
 }
 
 void Window::show(int width, int height) {
+    glfwSetCharCallback(window_, on_character);
     glfwSetWindowSize(window_, width, height);
     glfwSetWindowSizeLimits(window_, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwShowWindow(window_);

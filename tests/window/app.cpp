@@ -234,11 +234,7 @@ void App::type_number(const std::string& label, const std::string& text) {
 
 void App::type(const std::string& label, const std::string& text) {
     click(label);
-    // Control is let go last: a key that is down longer than the keyboard's repeat delay would type.
-    screen_.xdotool({"keydown", "ctrl"});
-    hold("a");
-    screen_.xdotool({"keyup", "ctrl"});
-    settle();
+    press("ctrl+a");
     screen_.xdotool({"type", "--delay", "5", text});
     wait_until("'" + label + "' to hold what was typed",
                [&](const Look& look) { return look.has(label) && look.controls.at(label).value == text; });
