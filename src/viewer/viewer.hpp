@@ -14,6 +14,7 @@
 #include "panels.hpp"
 #include "renderer.hpp"
 #include "run_messages.hpp"
+#include "rest.hpp"
 #include "session.hpp"
 #include "simulation_thread.hpp"
 #include "ui_map.hpp"
@@ -42,7 +43,9 @@ private:
 
     bool repeatable() const { return options_.frames > 0; }
     bool picture_wanted() const;
+    bool runs() const { return !session_.paused && !session_.status.stands(); }
     glm::vec2 size() const;
+    Activity activity() const;
     Picture picture() const;
 
     void load_wanted();
@@ -80,6 +83,10 @@ private:
     std::optional<LoadedScene> opening_;  // until the simulation has taken it
 
     int frame_ = 0;
+    Rest rest_;
+    double rest_seconds_ = 0.0;  // before the next frame
+    bool had_events_ = false, hidden_ = false;
+
     double last_time_ = 0.0;  // s of wall-clock
     double wall_ = 0.0;       // s of wall-clock since the start
 };

@@ -125,6 +125,18 @@ void on_drop(GLFWwindow* window, int count, const char** files) {
     for (int i = 0; i < count; ++i) queue(window, Kind::drop).file = files[i];
 }
 
+void on_window(GLFWwindow* window) {
+    queue(window, Kind::window);
+}
+
+/// What the desktop's own bars leave of the screen, in window units.
+glm::ivec2 work_area() {
+    glm::ivec2 size(0);
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor())
+        glfwGetMonitorWorkarea(monitor, nullptr, nullptr, &size.x, &size.y);
+    return size;
+}
+
 std::string last_error() {
     const char* description = nullptr;
     glfwGetError(&description);
@@ -182,6 +194,10 @@ Window::Window(const WindowSettings& settings) {
     glfwSetScrollCallback(window_, on_scroll);
     glfwSetDropCallback(window_, on_drop);
 }
+    glfwSetWindowRefreshCallback(window_, on_window);
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { on_window(window); });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { on_window(window); });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { on_window(window); });
 
 Window::~Window() {
     glfwDestroyWindow(window_);
@@ -202,8 +218,11 @@ void Window::close() {
     glfwSetWindowShouldClose(window_, GLFW_TRUE);
 }
 
-std::vector<InputEvent> Window::poll() {
-    glfwPollEvents();
+std::vector<InputEvent> Window::poll(double wait) {
+    if (wait > 0.0)
+        glfwWaitEventsTimeout(wait);
+    else
+        glfwPollEvents();
     return std::exchange(queue_.events, {});
 }
 
@@ -235,3 +254,7 @@ float Window::content_scale() const {
 }
 
 }  // namespace drapeau
+bool Window::hidden() const {
+    return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) || !glfwGetWindowAttrib(window_, GLFW_VISIBLE);
+}
+

@@ -30,13 +30,15 @@ public:
 
     bool open() const;
     void close();
-    std::vector<InputEvent> poll();  // what happened since the last call, in order
+    /// What happened since the last call, in order; waits so many seconds for something to happen.
+    std::vector<InputEvent> poll(double wait = 0.0);
     void swap();
     void set_title(const std::string& title);
 
     glm::ivec2 size() const;              // window units
     glm::ivec2 framebuffer_size() const;  // pixels
     float content_scale() const;          // how much larger than usual the desktop wants text
+    bool hidden() const;                  // minimised, or not shown by the window manager
     GLFWwindow* handle() const { return window_; }
 
 private:

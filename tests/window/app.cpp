@@ -126,7 +126,15 @@ Look App::wait_until(const std::string& what, const std::function<bool(const Loo
 Look App::settle() {
     // The frame being drawn may have taken its input before; the one after it has seen everything.
     const double now = look().number("frame");
-    return wait_until("another frame", [now](const Look& look) { return look.number("frame") >= now + 2; });
+    double woken = -1.0;
+    return wait_until("another frame", [&](const Look& look) {
+        // A property that means nothing to the program wakes it from its rest.
+        if (look.text("resting") == "1" && look.number("frame") > woken) {
+            woken = look.number("frame");
+            screen_.xdotool({"set_window", "--icon-name", "woken", window_});
+        }
+        return look.number("frame") >= now + 2;
+    });
 }
 
 void App::give_up(const std::string& why) {
@@ -196,6 +204,10 @@ void App::hold(const std::string& key) {
 
 void App::resize(int width, int height) {
     screen_.xdotool({"windowsize", window_, std::to_string(width), std::to_string(height)});
+}
+
+void App::hide() {
+    screen_.xdotool({"windowunmap", window_});
 }
 
 Control App::find(const std::string& label) {
