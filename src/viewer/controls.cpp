@@ -113,7 +113,7 @@ void letter_key(char letter, Session& session) {
             toggle_diagonals(session);
             break;
         case 'h':
-            toggle(session.panel_shown);
+            session.toggle_panel();
             break;
         case 'p':
             session.wishes.screenshot = true;

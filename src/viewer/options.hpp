@@ -11,6 +11,7 @@ struct Options {
     int frames = 0;  // 0: until the window is closed
     std::string screenshot, film;
     int width = 1280, height = 800;
+    bool size_given = false;
     std::string texture;  // instead of the scene's own
     bool hide_ui = false;
     bool springs = false, forces = false, masses = false, no_texture = false;

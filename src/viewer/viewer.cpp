@@ -84,7 +84,7 @@ Viewer::Viewer(const Options& options, LoadedScene loaded)
       canvas_(options.width, options.height, samples),
       film_(options.film.empty() ? nullptr : std::make_unique<Film>(options.film, options.width, options.height, 60)),
       simulation_(Simulation(loaded.scene), simulation_threads(std::thread::hardware_concurrency())) {
-    if (!into_files(options)) window_.show(options.width, options.height);
+    if (!into_files(options)) window_.show(options.width, options.height, !options.size_given && !repeatable());
     session_.scene_names = shipped_scenes();
     session_.texture_files = shipped_pictures();
     session_.panel_shown = !options.hide_ui;

@@ -8,6 +8,7 @@
 #include "force_scale.hpp"
 #include "gl_errors.hpp"
 #include "gui.hpp"
+#include "layout.hpp"
 #include "library.hpp"
 #include "options.hpp"
 #include "pace.hpp"

@@ -161,7 +161,7 @@ void Viewer::write_map() {
     map_.state("target_z", double(target.z));
     map_.state("framebuffer", std::to_string(canvas_.width()) + "x" + std::to_string(canvas_.height()));
     map_.state("window", std::to_string(int(size().x)) + "x" + std::to_string(int(size().y)));
-    map_.state("panel", session_.panel_shown ? written(session_.panel_area) : "");
+    map_.state("panel", session_.panel_open() ? written(session_.panel_area) : "");
     map_.state("view", written(session_.view_area));
     map_.state("flag", written(around_masses(moment_.snapshot.position, to_clip, size())));
     map_.state("resting", rest_seconds_ > 0.0 ? "1" : "0");

@@ -204,10 +204,19 @@ Window::~Window() {
     glfwTerminate();
 }
 
-void Window::show(int width, int height) {
-    glfwSetCharCallback(window_, on_character);
+void Window::show(int width, int height, bool grows) {
+    const glm::ivec2 room = work_area();
+    const float scale = content_scale();
+    const auto scaled = [&](int units, int most) {
+        const int wanted = int(float(units) * scale);
+        return most > 0 ? std::min(wanted, most) : wanted;
+    };
+    if (grows) {
+        width = scaled(width, room.x);
+        height = scaled(height, room.y);
+    }
     glfwSetWindowSize(window_, width, height);
-    glfwSetWindowSizeLimits(window_, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowSizeLimits(window_, scaled(480, room.x / 2), scaled(360, room.y / 2), GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwShowWindow(window_);
 }
 

@@ -26,7 +26,8 @@ public:
     Window& operator=(const Window&) = delete;
 
     /// Until then the window is hidden and small: one of a size that cannot be drawn would take long to be made.
-    void show(int width, int height);
+    /// `grows`: with the desktop's text, as far as there is room.
+    void show(int width, int height, bool grows);
 
     bool open() const;
     void close();

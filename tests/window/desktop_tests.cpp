@@ -11,6 +11,83 @@
 
 using namespace drapeau::window_tests;
 
+namespace {
+
+/// The flag is in the part of the window that the panel leaves, and large enough to be looked at.
+void check_flag_seen(const Look& look) {
+    const Box view = look.box("view"), flag = look.box("flag");
+    CHECK(flag.width() > 0.2 * view.width());
+    CHECK(view.contains(flag.at(0.05, 0.05)));
+    CHECK(view.contains(flag.at(0.95, 0.95)));
+    if (!look.text("panel").empty()) CHECK(look.box("panel").x1 <= view.x0);
+}
+
+void check_steps_aside(App& app) {
+    const Look closed = app.settle();
+    CHECK(closed.text("panel").empty());
+    CHECK(closed.box("view").x0 == 0);
+    check_flag_seen(closed);
+
+    app.click("Panel");
+    const Look opened = app.wait_until("the panel", [](const Look& look) { return !look.text("panel").empty(); });
+    check_flag_seen(opened);
+    app.click("Close panel");
+    app.wait_until("it to be closed", [](const Look& look) { return look.text("panel").empty(); });
+    app.press("h");
+    app.wait_until("the panel again", [](const Look& look) { return !look.text("panel").empty(); });
+}
+
+/// The wheel over a control of the page scrolls the whole panel, down to the last reading.
+void check_scrolls_as_one(App& app) {
+    const Look above = app.settle();
+    CHECK(above.has("Close panel"));
+    app.wheel(above.controls.at("Columns").box.at(0.5, 0.5), -1);
+    CHECK(!app.settle().has("Close panel"));
+    app.show("Reading: Stretch");
+}
+
+}  // namespace
+
+TEST_CASE("the window grows with the desktop's text, and the panel leaves half of it to the flag") {
+    const Screen screen;
+    const TemporaryFolder folder;
+    screen.use_dpi(192);
+    App app(screen, {written(folder, "still.toml", still_scene)});
+    const Look look = app.settle();
+    CHECK(look.text("window") == "1280x1024");  // all there is
+    CHECK(look.box("view").width() >= 640);
+    CHECK(look.box("panel").width() > 500);
+    check_flag_seen(look);
+    app.check_healthy();
+}
+
+TEST_CASE("a size given on the command line is kept whatever the desktop's text") {
+    const Screen screen;
+    const TemporaryFolder folder;
+    screen.use_dpi(144);
+    CHECK(App(screen, {written(folder, "still.toml", still_scene), "--size", "900x640"}).look().text("window") ==
+          "900x640");
+}
+
+TEST_CASE("a panel that would take most of the window steps aside and is opened by its button or by H") {
+    const Screen screen;
+    const TemporaryFolder folder;
+    const std::string scene = written(folder, "still.toml", still_scene);
+    {
+        App app(screen, {scene});
+        app.resize(480, 360);
+        app.wait_until("the small window", [](const Look& look) { return look.text("framebuffer") == "480x360"; });
+        check_steps_aside(app);
+        check_scrolls_as_one(app);
+        app.check_healthy();
+    }
+    screen.use_dpi(288);
+    App app(screen, {scene});
+    check_steps_aside(app);
+    check_scrolls_as_one(app);
+    app.check_healthy();
+}
+
 TEST_CASE("a window manager that died is no reason to fail, least of all for a picture") {
     const Screen screen;
     const TemporaryFolder folder;
