@@ -199,7 +199,7 @@ void Viewer::adopt(const LoadedScene& loaded) {
     set_image(loaded.texture_file, loaded.image);
     if (!loaded.fault.empty()) say(session_, loaded.fault, true);
     if (!loaded.fault.empty() && repeatable()) complain("drapeau", loaded.fault);
-    window_.set_title("drapeau \xe2\x80\x93 " + loaded.scene.name);
+    window_.set_title("drapeau \xe2\x80\x93 " + printable(loaded.scene.name));
 }
 
 void Viewer::set_image(const std::filesystem::path& file, const std::optional<Image>& image) {

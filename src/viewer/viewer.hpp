@@ -14,8 +14,8 @@
 #include "pace.hpp"
 #include "panels.hpp"
 #include "renderer.hpp"
-#include "run_messages.hpp"
 #include "rest.hpp"
+#include "run_messages.hpp"
 #include "session.hpp"
 #include "simulation_thread.hpp"
 #include "ui_map.hpp"
@@ -43,10 +43,10 @@ private:
     Viewer(const Options& options, LoadedScene loaded);
 
     bool repeatable() const { return options_.frames > 0; }
-    bool picture_wanted() const;
     bool runs() const { return !session_.paused && !session_.status.stands(); }
-    glm::vec2 size() const;
+    bool picture_wanted() const;
     Activity activity() const;
+    glm::vec2 size() const;
     Picture picture() const;
 
     void load_wanted();
@@ -83,11 +83,11 @@ private:
     RunMessages run_messages_;
     std::optional<LoadedScene> opening_;  // until the simulation has taken it
 
-    int frame_ = 0;
     Rest rest_;
     double rest_seconds_ = 0.0;  // before the next frame
     bool had_events_ = false, hidden_ = false;
 
+    int frame_ = 0;
     double last_time_ = 0.0;  // s of wall-clock
     double wall_ = 0.0;       // s of wall-clock since the start
 };

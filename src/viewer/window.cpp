@@ -150,6 +150,7 @@ Window::Window(const WindowSettings& settings) {
     // GLEW as Debian builds it finds OpenGL through X11 only.
     if (glfwPlatformSupported(GLFW_PLATFORM_X11)) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
+    forget_dead_window_manager();
     bool started = glfwInit();
 #ifdef GLFW_PLATFORM_X11
     if (!started && std::getenv("WAYLAND_DISPLAY")) {  // without one, Wayland would only add a complaint of its own
@@ -186,18 +187,18 @@ Window::Window(const WindowSettings& settings) {
         throw InputError("OpenGL 3.3 is needed; its functions could not be loaded");
     }
 
-    forget_dead_window_manager();
     glfwSetWindowUserPointer(window_, &queue_);
     glfwSetKeyCallback(window_, on_key);
+    glfwSetCharCallback(window_, on_character);
     glfwSetMouseButtonCallback(window_, on_button);
     glfwSetCursorPosCallback(window_, on_move);
     glfwSetScrollCallback(window_, on_scroll);
     glfwSetDropCallback(window_, on_drop);
-}
     glfwSetWindowRefreshCallback(window_, on_window);
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { on_window(window); });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { on_window(window); });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { on_window(window); });
+}
 
 Window::~Window() {
     glfwDestroyWindow(window_);
@@ -254,6 +255,10 @@ glm::ivec2 Window::framebuffer_size() const {
     return {width, height};
 }
 
+bool Window::hidden() const {
+    return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) || !glfwGetWindowAttrib(window_, GLFW_VISIBLE);
+}
+
 // Where the framebuffer is already larger than the window, the desktop's wish is met by that.
 float Window::content_scale() const {
     float x = 1.0f, y = 1.0f;
@@ -263,7 +268,3 @@ float Window::content_scale() const {
 }
 
 }  // namespace drapeau
-bool Window::hidden() const {
-    return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) || !glfwGetWindowAttrib(window_, GLFW_VISIBLE);
-}
-

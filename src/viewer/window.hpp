@@ -38,8 +38,8 @@ public:
 
     glm::ivec2 size() const;              // window units
     glm::ivec2 framebuffer_size() const;  // pixels
-    float content_scale() const;          // how much larger than usual the desktop wants text
     bool hidden() const;                  // minimised, or not shown by the window manager
+    float content_scale() const;          // how much larger than usual the desktop wants text
     GLFWwindow* handle() const { return window_; }
 
 private:

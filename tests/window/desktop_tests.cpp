@@ -46,6 +46,27 @@ void check_scrolls_as_one(App& app) {
     app.show("Reading: Stretch");
 }
 
+drapeau::Image cut(const drapeau::Image& picture, const Box& box) {
+    drapeau::Image part{.width = int(box.width()), .height = int(box.height()), .rgba = {}};
+    for (int y = 0; y < part.height; ++y) {
+        const auto start =
+            picture.rgba.begin() + (std::ptrdiff_t(int(box.y0) + y) * picture.width + std::ptrdiff_t(box.x0)) * 4;
+        part.rgba.insert(part.rgba.end(), start, start + std::ptrdiff_t(part.width) * 4);
+    }
+    return part;
+}
+
+/// How the list of scenes shows the scene in a file of this name.
+drapeau::Image shown_name(const Screen& screen, const std::string& name) {
+    const TemporaryFolder folder;
+    App app(screen, {written(folder, name + ".toml", still_scene), "--size", "900x640"});
+    const Control list = app.settle().controls.at("Scene");
+    CHECK(list.value == name);
+    drapeau::Image shown = cut(app.picture(), list.box);
+    app.check_healthy();
+    return shown;
+}
+
 }  // namespace
 
 TEST_CASE("the window grows with the desktop's text, and the panel leaves half of it to the flag") {
@@ -85,6 +106,28 @@ TEST_CASE("a panel that would take most of the window steps aside and is opened 
     App app(screen, {scene});
     check_steps_aside(app);
     check_scrolls_as_one(app);
+    app.check_healthy();
+}
+
+TEST_CASE("names in other scripts are shown in their own letters") {
+    const Screen screen;
+    // Letters of one width; whatever the font lacks looks alike.
+    for (const auto& [one, other] :
+         {std::pair{"ШШШ", "ЩЩЩ"}, std::pair{"ΞΞΞ", "ΣΣΣ"}, std::pair{"ŁŁŁ", "ĽĽĽ"}, std::pair{"→→→", "←←←"}}) {
+        CAPTURE(one, other);
+        const drapeau::Image a = shown_name(screen, one), b = shown_name(screen, other);
+        CHECK(a.rgba != b.rgba);
+    }
+}
+
+TEST_CASE("the list of scenes shows what a name holds, without obeying it") {
+    const Screen screen;
+    const TemporaryFolder folder;
+    App app(screen, {written(folder, "a\tb##c\x1b\xff.toml", still_scene), "--size", "900x640"});
+    const std::string shown = "a\\tb##c\\x1b\\xff";
+    CHECK(app.settle().controls.at("Scene").value == shown);
+    app.click("Scene");
+    app.wait_until("the list", [&](const Look& look) { return look.has("Scene: " + shown); });
     app.check_healthy();
 }
 
