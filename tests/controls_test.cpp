@@ -22,8 +22,13 @@ struct Desk {
     }
     void happen(const std::vector<InputEvent>& events) { controls.apply(events, claims, framing, session, camera); }
     void key(Key key) { happen({{.kind = Kind::key, .key = key}}); }
-    void type(const std::string& character, bool control = false) {
-        happen({{.kind = Kind::key, .control = control, .character = character}});
+    /// A letter, as its key gives it.
+    void type(char letter, bool control = false) {
+        happen({{.kind = Kind::key, .control = control, .letter = letter}});
+    }
+    /// A key that stands for `letter` and types `typed`.
+    void type(char letter, char32_t typed) {
+        happen({{.kind = Kind::key, .letter = letter}, {.kind = Kind::character, .typed = typed}});
     }
     void drag(glm::vec2 from, glm::vec2 to, MouseButton button, double time = 0.0) {
         happen({{.kind = Kind::press, .button = button, .time = time, .at = from},
@@ -85,7 +90,7 @@ TEST_CASE("every key does one thing, and pressed again undoes it where it is a s
     Desk desk;
     const Session before = desk.session;
     ViewSettings& view = desk.session.scene.view;
-    const auto switches = [&](const std::string& key, bool& value) {
+    const auto switches = [&](char key, bool& value) {
         CAPTURE(key);
         const bool was = value;
         desk.type(key);
@@ -93,48 +98,78 @@ TEST_CASE("every key does one thing, and pressed again undoes it where it is a s
         desk.type(key);
         CHECK(value == was);
     };
-    switches("t", view.texture);
-    switches("s", view.springs);
-    switches("f", view.forces);
-    switches("m", view.masses);
-    switches("c", view.cloth);
-    switches("h", desk.session.panel_shown);
+    switches('t', view.texture);
+    switches('s', view.springs);
+    switches('f', view.forces);
+    switches('m', view.masses);
+    switches('c', view.cloth);
+    switches('h', desk.session.panel_shown);
     CHECK(desk.session.scene == before.scene);
 
     desk.key(Key::space);
     CHECK(desk.session.paused);
-    desk.type("r");
+    desk.type('r');
     CHECK(desk.session.wishes.restart);
-    desk.type(".");
+    desk.type('\0', U'.');
     CHECK(desk.session.wishes.step);
-    desk.type("p");
+    desk.type('p');
     CHECK(desk.session.wishes.screenshot);
     desk.key(Key::home);
     CHECK(desk.session.wishes.reset_camera);
-    desk.type("q");
+    desk.type('q');
     CHECK(!desk.controls.wants_to_quit());
-    desk.type("q", true);
+    desk.type('q', true);
     CHECK(desk.controls.wants_to_quit());
+}
+
+TEST_CASE("a symbol acts whichever key types it, and never together with the key's letter or name") {
+    Desk desk;
+    desk.type('\0', U'+');
+    const float once = desk.camera.zoom;
+    CHECK(once > 1.0f);
+    desk.camera.zoom = 1.0f;
+    desk.happen({{.kind = Kind::key, .key = Key::keypad_add}, {.kind = Kind::character, .typed = U'+'}});
+    CHECK(desk.camera.zoom == once);
+    desk.happen({{.kind = Kind::character, .typed = U'-'}});  // alone: from an input method
+    CHECK(desk.camera.zoom == Approx(1.0f));
+
+    // On a layout without Latin letters a letter's key types something else: a symbol comes first.
+    desk.type('t', U'א');
+    CHECK(!desk.session.scene.view.texture);
+    desk.type('s', U'.');
+    CHECK(desk.session.wishes.step);
+    CHECK(!desk.session.scene.view.springs);
+
+    desk.session.wishes = {};
+    desk.happen({{.kind = Kind::key, .key = Key::keypad_decimal}, {.kind = Kind::character, .typed = U','}});
+    CHECK(desk.session.wishes.step);
+}
+
+TEST_CASE("what is held with Alt or Super is the desktop's, and letting a key go does nothing") {
+    Desk desk;
+    const Scene before = desk.session.scene;
+    desk.happen({{.kind = Kind::key, .desktop = true, .letter = 's'}, {.kind = Kind::key_up, .letter = 's'}});
+    CHECK(desk.session.scene == before);
 }
 
 TEST_CASE("diagonal springs come back as stiff as they were") {
     Desk desk;
     desk.session.scene.springs.diagonal_stiffness = 12.5;
-    desk.type("d");
+    desk.type('d');
     CHECK(!desk.session.scene.springs.diagonal_stiffness);
-    desk.type("d");
+    desk.type('d');
     CHECK(desk.session.scene.springs.diagonal_stiffness == 12.5);
 }
 
 TEST_CASE("keys are text while a text is typed, and shortcuts with control do nothing else") {
     Desk desk;
     desk.claims.keyboard = true;
-    desk.type("r");
+    desk.type('r');
     desk.key(Key::space);
     CHECK(!desk.session.wishes.restart);
     CHECK(!desk.session.paused);
     desk.claims.keyboard = false;
-    desk.type("r", true);
+    desk.type('r', true);
     CHECK(!desk.session.wishes.restart);
 }
 

@@ -25,102 +25,72 @@ void toggle(bool& value) {
     value = !value;
 }
 
-}  // namespace
-
-void Controls::apply(const std::vector<InputEvent>& events, const Claims& claims, const Framing& framing,
-                     Session& session, Camera& camera) {
-    using Kind = InputEvent::Kind;
-    for (const InputEvent& event : events) {
-        const bool on_panel = std::any_of(session.claimed.begin(), session.claimed.end(),
-                                          [&](const Area& area) { return area.contains(event.at); });
-        const bool claimed = claims.mouse || on_panel;
-        switch (event.kind) {
-            case Kind::press:
-                press(event, claimed, session);
-                break;
-            case Kind::release:
-                drag_ = Drag::none;
-                break;
-            case Kind::move:
-                if (drag_ == Drag::turn) camera.turn(event.at - last_);
-                if (drag_ == Drag::slide) camera.slide(event.at - last_, framing, session.view_area);
-                last_ = event.at;
-                break;
-            case Kind::scroll:
-                if (!claimed) camera.closer(event.amount);
-                break;
-            case Kind::drop:
-                load_dropped(event.file, session);
-                break;
-            case Kind::key:
-                if (!claims.keyboard) key(event, session, camera);
-                break;
-        }
-    }
-}
-
-void Controls::press(const InputEvent& event, bool claimed, Session& session) {
-    drag_ = Drag::none;
-    if (claimed) return;
-    last_ = event.at;
-    if (event.button == MouseButton::right || event.button == MouseButton::middle) drag_ = Drag::slide;
-    if (event.button != MouseButton::left) return;
-    drag_ = Drag::turn;
-    const bool twice =
-        event.time - pressed_time_ < double_click_seconds && glm::length(event.at - pressed_at_) < double_click_pixels;
-    if (twice) session.wishes.reset_camera = true;
-    pressed_time_ = twice ? -1e6 : event.time;
-    pressed_at_ = event.at;
-}
-
-void Controls::key(const InputEvent& event, Session& session, Camera& camera) {
-    ViewSettings& view = session.scene.view;
-    switch (event.key) {
+/// Whether the key does something whatever it types.
+bool named_key(Key key, Session& session, Camera& camera) {
+    switch (key) {
         case Key::space:
             toggle(session.paused);
-            return;
+            return true;
         case Key::f1:
             toggle(session.help_shown);
-            return;
+            return true;
         case Key::home:
             session.wishes.reset_camera = true;
-            return;
+            return true;
         case Key::left:
             camera.turn({-arrow_pixels, 0.0f});
-            return;
+            return true;
         case Key::right:
             camera.turn({arrow_pixels, 0.0f});
-            return;
+            return true;
         case Key::up:
             camera.turn({0.0f, -arrow_pixels});
-            return;
+            return true;
         case Key::down:
             camera.turn({0.0f, arrow_pixels});
-            return;
+            return true;
         case Key::keypad_add:
             camera.closer(1.0f);
-            return;
+            return true;
         case Key::keypad_subtract:
             camera.closer(-1.0f);
-            return;
+            return true;
+        case Key::keypad_decimal:
+            session.wishes.step = true;
+            return true;
         case Key::escape:
             if (session.help_shown)
                 session.help_shown = false;
             else
                 session.message.text.clear();
-            return;
+            return true;
         case Key::other:
             break;
     }
-    const char letter = event.character.size() == 1 ? event.character[0] : '\0';
-    if (event.control) {
-        if (letter == 'q' || letter == 'w') quit_ = true;
-        return;
-    }
-    switch (letter) {
-        case '.':
+    return false;
+}
+
+/// Whether the character does something, whichever key types it.
+bool symbol(char32_t typed, Session& session, Camera& camera) {
+    switch (typed) {
+        case U'.':
             session.wishes.step = true;
-            break;
+            return true;
+        case U'+':
+        case U'=':
+            camera.closer(1.0f);
+            return true;
+        case U'-':
+            camera.closer(-1.0f);
+            return true;
+        default:
+            return false;
+    }
+}
+
+void letter_key(char letter, Session& session) {
+    ViewSettings& view = session.scene.view;
+    switch (letter) {
         case 'r':
             session.wishes.restart = true;
             break;
@@ -143,21 +113,83 @@ void Controls::key(const InputEvent& event, Session& session, Camera& camera) {
             toggle_diagonals(session);
             break;
         case 'h':
-            toggle(session.panel_shown);
+            session.toggle_panel();
             break;
         case 'p':
             session.wishes.screenshot = true;
             break;
-        case '+':
-        case '=':
-            camera.closer(1.0f);
-            break;
-        case '-':
-            camera.closer(-1.0f);
-            break;
         default:
             break;
     }
+}
+
+}  // namespace
+
+void Controls::apply(const std::vector<InputEvent>& events, const Claims& claims, const Framing& framing,
+                     Session& session, Camera& camera) {
+    using Kind = InputEvent::Kind;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        const InputEvent& event = events[i];
+        const bool on_panel = std::any_of(session.claimed.begin(), session.claimed.end(),
+                                          [&](const Area& area) { return area.contains(event.at); });
+        const bool claimed = claims.mouse || on_panel;
+        switch (event.kind) {
+            case Kind::press:
+                press(event, claimed, session);
+                break;
+            case Kind::release:
+                drag_ = Drag::none;
+                break;
+            case Kind::move:
+                if (drag_ == Drag::turn) camera.turn(event.at - last_);
+                if (drag_ == Drag::slide) camera.slide(event.at - last_, framing, session.view_area);
+                last_ = event.at;
+                break;
+            case Kind::scroll:
+                if (!claimed) camera.closer(event.amount);
+                break;
+            case Kind::drop:
+                load_dropped(event.file, session);
+                break;
+            case Kind::key: {
+                const bool types = i + 1 < events.size() && events[i + 1].kind == Kind::character;
+                if (types) ++i;  // part of this press
+                if (!claims.keyboard) key(event, types ? events[i].typed : 0, session, camera);
+                break;
+            }
+            case Kind::character:
+                if (!claims.keyboard) symbol(event.typed, session, camera);
+                break;
+            case Kind::key_up:
+            case Kind::window:
+                break;
+        }
+    }
+}
+
+void Controls::press(const InputEvent& event, bool claimed, Session& session) {
+    drag_ = Drag::none;
+    if (claimed) return;
+    last_ = event.at;
+    if (event.button == MouseButton::right || event.button == MouseButton::middle) drag_ = Drag::slide;
+    if (event.button != MouseButton::left) return;
+    drag_ = Drag::turn;
+    const bool twice =
+        event.time - pressed_time_ < double_click_seconds && glm::length(event.at - pressed_at_) < double_click_pixels;
+    if (twice) session.wishes.reset_camera = true;
+    pressed_time_ = twice ? -1e6 : event.time;
+    pressed_at_ = event.at;
+}
+
+// One press does one thing: what the key is, else what it types, else its letter.
+void Controls::key(const InputEvent& event, char32_t typed, Session& session, Camera& camera) {
+    if (named_key(event.key, session, camera)) return;
+    if (event.control) {
+        if (event.letter == 'q' || event.letter == 'w') quit_ = true;
+        return;
+    }
+    if (event.desktop || symbol(typed, session, camera)) return;
+    letter_key(event.letter, session);
 }
 
 }  // namespace drapeau

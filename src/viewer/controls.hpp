@@ -25,7 +25,7 @@ private:
     enum class Drag { none, turn, slide };
 
     void press(const InputEvent& event, bool claimed, Session& session);
-    void key(const InputEvent& event, Session& session, Camera& camera);
+    void key(const InputEvent& event, char32_t typed, Session& session, Camera& camera);
 
     Drag drag_ = Drag::none;
     glm::vec2 last_{0.0f};  // the mouse, at the last event of the drag

@@ -16,10 +16,25 @@ namespace drapeau {
 namespace {
 
 constexpr float font_height = 15.0f;  // window units
+constexpr float large_font = 24.0f;   // pixels; from here on glyphs are sharp without oversampling
+
+// What names of files and scenes may hold, of whatever the font has of it. ImGui sets letters one by one from left to
+// right: Arabic and Hebrew can be told apart rather than read.
+constexpr ImWchar glyph_ranges[] = {
+    0x0020, 0x07ff,  // Latin, Greek, Cyrillic, Armenian, Hebrew, Arabic
+    0x0e00, 0x0eff,  // Thai, Lao
+    0x10a0, 0x10ff,  // Georgian
+    0x1d00, 0x1fff,  // phonetic letters, Latin and Greek with accents
+    0x2000, 0x27bf,  // punctuation, currencies, arrows, mathematics, shapes, symbols
+    0x2c60, 0x2dff,  // more Latin and Cyrillic
+    0xa640, 0xa7ff,  // more Cyrillic and Latin
+    0xfb00, 0xfb4f,  // ligatures
+    0xfffd, 0xfffd,  // what stands for any other character
+    0,
+};
 
 // DejaVu Sans or what else is usually there; without any, ImGui's own small font.
 void load_font(float scale, float pixels_per_unit) {
-    static const ImWchar ranges[] = {0x20, 0xff, 0x2010, 0x2027, 0x2190, 0x2193, 0x2200, 0x2265, 0};
     ImGuiIO& io = ImGui::GetIO();
     for (const char* file :
          {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
@@ -27,9 +42,10 @@ void load_font(float scale, float pixels_per_unit) {
         std::error_code failure;
         if (!std::filesystem::is_regular_file(file, failure)) continue;
         ImFontConfig config;
-        config.OversampleH = 2;
+        const float height = font_height * scale * pixels_per_unit;
+        config.OversampleH = height < large_font ? 2 : 1;
         config.OversampleV = 1;
-        if (!io.Fonts->AddFontFromFileTTF(file, font_height * scale * pixels_per_unit, &config, ranges)) continue;
+        if (!io.Fonts->AddFontFromFileTTF(file, height, &config, glyph_ranges)) continue;
         io.FontGlobalScale = 1.0f / pixels_per_unit;
         return;
     }
@@ -131,18 +147,7 @@ void Gui::begin(const GuiFrame& frame, const std::vector<InputEvent>& events) {
     io.DisplaySize = {frame.size.x, frame.size.y};
     io.DisplayFramebufferScale = {frame.pixels_per_unit, frame.pixels_per_unit};
     if (frame.seconds > 0.0f) io.DeltaTime = frame.seconds;
-#if IMGUI_VERSION_NUM < 18700
-    // Before 1.87 ImGui sees only which keys are down when the frame begins; later ones queue presses themselves.
-    for (const int key : held_) io.KeysDown[key] = false;
-    held_.clear();
-    for (const InputEvent& event : events) {
-        if (event.kind != InputEvent::Kind::key || event.code < 0 || io.KeysDown[event.code]) continue;
-        io.KeysDown[event.code] = true;
-        held_.push_back(event.code);
-    }
-#else
-    (void)events;
-#endif
+    keys_.feed(events);
     ImGui::NewFrame();
     // The same for keys.
     if (is_number_typed())

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "input.hpp"
+#include "key_feed.hpp"
 
 #include <glm/vec2.hpp>
 
@@ -28,12 +29,13 @@ public:
 
     /// `events`: what happened to the window since the last frame.
     void begin(const GuiFrame& frame, const std::vector<InputEvent>& events);
-    void draw();  // into the framebuffer that is bound
+    bool has_waiting_keys() const { return keys_.has_waiting(); }  // for the next frame
+    void draw();                                                   // into the framebuffer that is bound
 
 private:
     GLFWwindow* window_;
-    bool entered_ = false;   // ImGui was told that the mouse is over the window
-    std::vector<int> held_;  // keys held down for a frame because they went down and up within it
+    bool entered_ = false;  // ImGui was told that the mouse is over the window
+    KeyFeed keys_;
 };
 
 }  // namespace drapeau

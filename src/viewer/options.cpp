@@ -46,6 +46,7 @@ void size_from(const std::string& text, Options& options) {
                          " to " + std::to_string(most_side) + " pixels");
     options.width = int(width);
     options.height = int(height);
+    options.size_given = true;
 }
 
 /// A name without an ending says nothing of its format: it is taken as it is.
@@ -80,7 +81,9 @@ std::optional<int> read_options(int count, char** words, Options& options) {
                                 "with --frames: all of them, as the ending says: mp4, mov, mkv, webm or gif (needs "
                                 "ffmpeg)")
                      ->type_name("FILE"));
-    app.add_option("--size", size, "of the window or picture, in pixels (1280x800)")->type_name("WxH");
+    app.add_option("--size", size,
+                   "of the window or picture, in pixels (1280x800; a window grows with the desktop's text)")
+        ->type_name("WxH");
     take_as_path(app.add_option("--texture", options.texture, "an image for the flag, or the name of a shipped one")
                      ->type_name("FILE"));
     add_assignments(app, options.set);

@@ -12,6 +12,7 @@ struct Options {
     int frames = 0;  // 0: until the window is closed
     std::string screenshot, film;
     int width = 1280, height = 800;
+    bool size_given = false;
     std::string texture;           // instead of the scene's own
     std::vector<std::string> set;  // "KEY=VALUE", instead of what the scene says
     bool hide_ui = false;

@@ -11,6 +11,8 @@ namespace drapeau {
 
 namespace {
 
+constexpr float usual_font = 15.0f;  // window units; sizes below are for text of this size
+
 constexpr ImGuiWindowFlags box_flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                        ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
                                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
@@ -29,7 +31,7 @@ constexpr const char* keys[][2] = {{"Left drag", "turn"},
                                    {"F", "force colours"},
                                    {"M", "masses"},
                                    {"C", "cloth"},
-                                   {"H", "hide the panel"},
+                                   {"H", "hide, show the panel"},
                                    {"P", "screenshot"},
                                    {"F1", "this list"},
                                    {"Esc", "close what is open"},
@@ -47,12 +49,13 @@ void draw_message(Session& session, Widgets& widgets) {
     Message& message = session.message;
     if (message.text.empty()) return;
     const Area& view = session.view_area;
-    const float width = std::min(620.0f, view.width() - 40.0f);
-    ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, view.y0 + 14.0f}, ImGuiCond_Always, {0.5f, 0.0f});
+    const float scale = ImGui::GetFontSize() / usual_font;
+    const float width = std::min(620.0f * scale, view.width() - 24.0f * scale);
+    ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, view.y0 + 14.0f * scale}, ImGuiCond_Always, {0.5f, 0.0f});
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {width, 1e4f});
     ImGui::Begin("message", nullptr, box_flags);
     const ImVec4 color = message.trouble ? ImVec4(1.0f, 0.72f, 0.45f, 1.0f) : ImVec4(0.66f, 0.90f, 0.72f, 1.0f);
-    ImGui::PushTextWrapPos(width - 30.0f);
+    ImGui::PushTextWrapPos(width - 30.0f * scale);
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     ImGui::TextUnformatted(message.shown().c_str());
     ImGui::PopStyleColor();
@@ -76,8 +79,10 @@ void draw_message(Session& session, Widgets& widgets) {
 
 void draw_help(Session& session, Widgets& widgets) {
     if (!session.help_shown) return;
-    const Area& view = session.view_area;
+    Area view = session.view_area;
+    if (session.narrow) view.x0 = 0.0f;  // over an opened panel too: beside it the list has no room
     ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, (view.y0 + view.y1) / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {view.width(), view.height()});  // scrolls where it is cut off
     ImGui::Begin("keys", nullptr, box_flags);
     const float second = ImGui::CalcTextSize("Double click, Home   ").x + ImGui::GetStyle().WindowPadding.x;
     for (const auto& [key, meaning] : keys) {
@@ -93,7 +98,7 @@ void draw_help(Session& session, Widgets& widgets) {
 
 void draw_legend(const Session& session) {
     const Area& view = session.view_area;
-    const float scale = ImGui::GetFontSize() / 15.0f;
+    const float scale = ImGui::GetFontSize() / usual_font;
     const float width = std::min(300.0f * scale, view.width() - 60.0f), height = 12.0f * scale;
     const float line = ImGui::GetTextLineHeight();
     const float left = (view.x0 + view.x1 - width) / 2.0f, top = view.y1 - 46.0f * scale;

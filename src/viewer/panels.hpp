@@ -16,9 +16,6 @@ struct PanelMemory {
     std::string texture_text, scene_text, save_text;
 };
 
-/// The area the panel leaves to the flag; known before anything is drawn.
-void lay_out(Session& session, float width, float height, float scale);
-
 void draw_panels(Session& session, PanelMemory& memory, UiMap& map);
 
 // The panel's parts, each in a file of its own.

@@ -74,7 +74,9 @@ struct Session {
     double diagonal_stiffness = 100.0;  // N/m; kept while diagonal springs are off
 
     bool paused = false;
-    bool panel_shown = true;
+    bool panel_shown = true;    // where there is room for it beside the flag
+    bool panel_opened = false;  // where there is none
+    bool narrow = false;        // the window has no room for the panel beside the flag
     bool help_shown = false;
     Message message;
     Status status;
@@ -84,6 +86,12 @@ struct Session {
     Area panel_area;
     Area view_area;
     std::vector<Area> claimed;  // no drag that begins here turns the flag
+
+    bool panel_open() const { return narrow ? panel_opened : panel_shown; }
+    void toggle_panel() {
+        bool& open = narrow ? panel_opened : panel_shown;
+        open = !open;
+    }
 };
 
 inline void say(Session& session, const std::string& text, bool trouble) {

@@ -102,6 +102,11 @@ int SimulationThread::backlog() const {
     return batches_;
 }
 
+bool SimulationThread::idle() const {
+    const std::lock_guard lock(mutex_);
+    return !busy_ && !change_ && batches_ == 0 && single_steps_ == 0 && !newest_ && !failure_new_;
+}
+
 bool SimulationThread::take(Moment& newest) {
     const std::lock_guard lock(mutex_);
     if (!newest_ && !failure_new_) return false;

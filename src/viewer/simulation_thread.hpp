@@ -54,6 +54,7 @@ public:
     void ask_step();
 
     int backlog() const;        // batches asked for and not done
+    bool idle() const;          // nothing is asked for, under way or new
     bool take(Moment& newest);  // false if nothing is new since the last call
     void wait();                // until all that was asked is done
 

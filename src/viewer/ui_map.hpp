@@ -31,9 +31,10 @@
 //   target_x target_y target_z  what the camera looks at, m
 //   framebuffer      its size in pixels, "1280x800"
 //   window           the window's size in its own units, "1280x800"
-//   panel            x0 y0 x1 y1 of the panel, separated by spaces; nothing when hidden
+//   panel            x0 y0 x1 y1 of the panel, separated by spaces; nothing when hidden or stepped aside
 //   view             x0 y0 x1 y1 of what the panel leaves to the flag
 //   flag             x0 y0 x1 y1 around the masses as drawn now
+//   resting          1 while the next frame waits for an event or for time to pass, because nothing changes
 //   help             1 while the list of keys is shown
 //   force_scale      newtons of the reddest colour of the force colours
 //   gl_errors        OpenGL errors since the start (debug context)

@@ -86,7 +86,7 @@ Viewer::Viewer(const Options& options, LoadedScene loaded)
       canvas_(options.width, options.height, samples),
       film_(options.film.empty() ? nullptr : std::make_unique<Film>(options.film, options.width, options.height, 60)),
       simulation_(Simulation(loaded.scene), simulation_threads(std::thread::hardware_concurrency())) {
-    if (!into_files(options)) window_.show(options.width, options.height);
+    if (!into_files(options)) window_.show(options.width, options.height, !options.size_given && !repeatable());
     session_.scene_names = shipped_scenes();
     session_.texture_files = shipped_pictures();
     session_.panel_shown = !options.hide_ui;
@@ -115,11 +115,16 @@ glm::vec2 Viewer::size() const {
 // A hidden window needs no picture of frames that nobody will see.
 bool Viewer::picture_wanted() const {
     const bool last = frame_ + settling_frames >= options_.frames;
+    if (hidden_) return false;
     return !repeatable() || last || film_ || options_.screenshot.empty() || map_.wanted();
 }
 
 void Viewer::input() {
-    const std::vector<InputEvent> events = window_.poll();
+    const std::vector<InputEvent> events = window_.poll(rest_seconds_);
+    // Time at rest is none that the run could be behind.
+    if (rest_seconds_ > 0.0 && !runs()) last_time_ = glfwGetTime();
+    had_events_ = !events.empty();
+    hidden_ = !repeatable() && window_.hidden();
     if (!repeatable()) canvas_.resize(window_.framebuffer_size().x, window_.framebuffer_size().y);
     const float pixels = float(canvas_.width()) / std::max(1.0f, size().x);
     gui_.begin({.size = size(), .pixels_per_unit = pixels, .seconds = repeatable() ? 1.0f / 60.0f : 0.0f}, events);
@@ -140,8 +145,7 @@ void Viewer::exchange() {
     if (session_.wishes.step && session_.paused) simulation_.ask_step();
     session_.wishes = {
         .screenshot = session_.wishes.screenshot, .load_scene = {}, .load_texture = {}, .save_scene = {}};
-    if (!session_.paused && !session_.status.stands())
-        simulation_.ask_batches(repeatable() ? 1 : pace_.batches(passed, simulation_.backlog()));
+    if (runs()) simulation_.ask_batches(repeatable() ? 1 : pace_.batches(passed, simulation_.backlog()));
     if (repeatable()) simulation_.wait();
     receive(passed);
 }
@@ -197,7 +201,7 @@ void Viewer::adopt(const LoadedScene& loaded) {
     set_image(loaded.texture_file, loaded.image);
     if (!loaded.fault.empty()) say(session_, loaded.fault, true);
     if (!loaded.fault.empty() && repeatable()) complain("drapeau", loaded.fault);
-    window_.set_title("drapeau \xe2\x80\x93 " + loaded.scene.name);
+    window_.set_title("drapeau \xe2\x80\x93 " + printable(loaded.scene.name));
 }
 
 void Viewer::set_image(const std::filesystem::path& file, const std::optional<Image>& image) {
@@ -251,11 +255,12 @@ void Viewer::receive(double passed) {
         status.step_seconds = moment_.step_seconds;
         status.force_scale = force_scale_.newtons();
     }
-    if (session_.paused || status.stands())
-        pace_.forget();
-    else
+    if (runs())
         pace_.observe(wall_, status.time);
+    else
+        pace_.forget();
     status.real_time_factor = pace_.real_time_factor();
+    if (rest_seconds_ > 0.0) return;
     status.frame_seconds += (passed - status.frame_seconds) * (status.frame_seconds > 0.0 ? 0.05 : 1.0);
 }
 

@@ -8,11 +8,13 @@
 #include "force_scale.hpp"
 #include "gl_errors.hpp"
 #include "gui.hpp"
+#include "layout.hpp"
 #include "library.hpp"
 #include "options.hpp"
 #include "pace.hpp"
 #include "panels.hpp"
 #include "renderer.hpp"
+#include "rest.hpp"
 #include "run_messages.hpp"
 #include "session.hpp"
 #include "simulation_thread.hpp"
@@ -41,7 +43,9 @@ private:
     Viewer(const Options& options, LoadedScene loaded);
 
     bool repeatable() const { return options_.frames > 0; }
+    bool runs() const { return !session_.paused && !session_.status.stands(); }
     bool picture_wanted() const;
+    Activity activity() const;
     glm::vec2 size() const;
     Picture picture() const;
 
@@ -78,6 +82,10 @@ private:
     long long revision_ = 0;  // of sent_
     RunMessages run_messages_;
     std::optional<LoadedScene> opening_;  // until the simulation has taken it
+
+    Rest rest_;
+    double rest_seconds_ = 0.0;  // before the next frame
+    bool had_events_ = false, hidden_ = false;
 
     int frame_ = 0;
     double last_time_ = 0.0;  // s of wall-clock

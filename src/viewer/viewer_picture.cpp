@@ -109,11 +109,22 @@ void Viewer::present() {
         canvas_.show(window.x, window.y);
         gl_errors_.poll();
     }
+    rest_seconds_ = repeatable() ? 0.0 : rest_.seconds(activity());
     write_map();
     window_.swap();
     const double spent = glfwGetTime() - last_time_;
     if (!repeatable() && spent < least_frame_seconds)
         std::this_thread::sleep_for(std::chrono::duration<double>(least_frame_seconds - spent));
+}
+
+Activity Viewer::activity() const {
+    const Message& message = session_.message;
+    return {.events = had_events_ || gui_.has_waiting_keys(),
+            .runs = runs(),
+            .simulation = !simulation_.idle() || opening_,
+            .hidden = hidden_,
+            .typing = ImGui::GetIO().WantTextInput,
+            .message_left = message.text.empty() ? 0.0 : message.seconds_left};
 }
 
 void Viewer::take_screenshot(const std::filesystem::path& file) {
@@ -150,9 +161,10 @@ void Viewer::write_map() {
     map_.state("target_z", double(target.z));
     map_.state("framebuffer", std::to_string(canvas_.width()) + "x" + std::to_string(canvas_.height()));
     map_.state("window", std::to_string(int(size().x)) + "x" + std::to_string(int(size().y)));
-    map_.state("panel", session_.panel_shown ? written(session_.panel_area) : "");
+    map_.state("panel", session_.panel_open() ? written(session_.panel_area) : "");
     map_.state("view", written(session_.view_area));
     map_.state("flag", written(around_masses(moment_.snapshot.position, to_clip, size())));
+    map_.state("resting", rest_seconds_ > 0.0 ? "1" : "0");
     map_.state("help", session_.help_shown ? "1" : "0");
     map_.state("force_scale", status.force_scale);
     map_.state("gl_errors", gl_errors_.count());

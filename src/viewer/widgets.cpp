@@ -1,5 +1,7 @@
 #include "widgets.hpp"
 
+#include "text.hpp"
+
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -176,17 +178,19 @@ bool Widgets::choice(const char* label, int& index, const std::vector<std::strin
     ImGui::SetNextItemWidth(returns ? control_width() : -1.0f);
     const bool known = index >= 0 && index < int(names.size());
     const int before = index;
-    const std::string now = known ? names[std::size_t(index)] : "";
+    const std::string now = known ? printable(names[std::size_t(index)]) : "";
     const bool listed = ImGui::BeginCombo("##value", now.c_str(), ImGuiComboFlags_HeightLarge);
     if (!listed) {
         note(label, now);
         tip(tip_text);
     } else {
         for (int i = 0; i < int(names.size()); ++i) {
-            const std::string& name = names[std::size_t(i)];
+            const std::string name = printable(names[std::size_t(i)]);
             ImGui::PushID(i);
-            if (ImGui::Selectable(name.c_str(), i == index)) index = i;
+            if (ImGui::Selectable("##entry", i == index)) index = i;
             note((std::string(label) + ": " + name).c_str(), i == index ? "1" : "0");
+            ImGui::SameLine(0.0f, 0.0f);
+            ImGui::TextUnformatted(name.c_str());  // a Selectable ends its label at ##
             ImGui::PopID();
         }
         ImGui::EndCombo();

@@ -1,5 +1,8 @@
 #include "window.hpp"
 
+#include "dead_window_manager.hpp"
+#include "keyboard.hpp"
+
 #include "error.hpp"
 
 #include <GL/glew.h>
@@ -7,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <string_view>
 #include <utility>
 
 namespace drapeau {
@@ -39,6 +43,8 @@ Key key_of(int code) {
             return Key::keypad_add;
         case GLFW_KEY_KP_SUBTRACT:
             return Key::keypad_subtract;
+        case GLFW_KEY_KP_DECIMAL:
+            return Key::keypad_decimal;
         default:
             return Key::other;
     }
@@ -66,17 +72,38 @@ InputEvent& queue(GLFWwindow* window, Kind kind) {
     return event;
 }
 
+/// What each key that types something types unshifted on the present layout. GLFW numbers them by their US labels.
+std::vector<std::string> layout_now() {
+    std::vector<std::string> layout;
+    for (const char us_label : std::string_view("`1234567890-=QWERTYUIOP[]\\ASDFGHJKL;'ZXCVBNM,./"))
+        if (const char* types = glfwGetKeyName(us_label, 0)) layout.emplace_back(types);
+    return layout;
+}
+
+bool is_us_letter(int code) {
+    return code >= GLFW_KEY_A && code <= GLFW_KEY_Z;
+}
+
+char letter_of(int code, int scancode) {
+    const char* types = glfwGetKeyName(code, scancode);
+    const char us_letter = is_us_letter(code) ? char('a' + code - GLFW_KEY_A) : '\0';
+    return shortcut_letter(types ? types : "", us_letter, layout_now());
+}
+
 void on_key(GLFWwindow* window, int code, int scancode, int action, int modifiers) {
-    if (action == GLFW_RELEASE) return;
     const Key key = key_of(code);
     const bool repeats = key == Key::left || key == Key::right || key == Key::up || key == Key::down;
     if (action == GLFW_REPEAT && !repeats) return;
-    InputEvent& event = queue(window, Kind::key);
+    InputEvent& event = queue(window, action == GLFW_RELEASE ? Kind::key_up : Kind::key);
     event.key = key;
-    event.code = code;
+    event.letter = letter_of(code, scancode);
+    event.code = event.letter ? GLFW_KEY_A + event.letter - 'a' : is_us_letter(code) ? GLFW_KEY_UNKNOWN : code;
     event.control = modifiers & GLFW_MOD_CONTROL;
-    const char* name = glfwGetKeyName(code, scancode);
-    event.character = name ? name : "";
+    event.desktop = modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER);
+}
+
+void on_character(GLFWwindow* window, unsigned character) {
+    queue(window, Kind::character).typed = character;
 }
 
 void on_button(GLFWwindow* window, int button, int action, int modifiers) {
@@ -98,6 +125,18 @@ void on_drop(GLFWwindow* window, int count, const char** files) {
     for (int i = 0; i < count; ++i) queue(window, Kind::drop).file = files[i];
 }
 
+void on_window(GLFWwindow* window) {
+    queue(window, Kind::window);
+}
+
+/// What the desktop's own bars leave of the screen, in window units.
+glm::ivec2 work_area() {
+    glm::ivec2 size(0);
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor())
+        glfwGetMonitorWorkarea(monitor, nullptr, nullptr, &size.x, &size.y);
+    return size;
+}
+
 std::string last_error() {
     const char* description = nullptr;
     glfwGetError(&description);
@@ -111,6 +150,7 @@ Window::Window(const WindowSettings& settings) {
     // GLEW as Debian builds it finds OpenGL through X11 only.
     if (glfwPlatformSupported(GLFW_PLATFORM_X11)) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
+    forget_dead_window_manager();
     bool started = glfwInit();
 #ifdef GLFW_PLATFORM_X11
     if (!started && std::getenv("WAYLAND_DISPLAY")) {  // without one, Wayland would only add a complaint of its own
@@ -149,10 +189,15 @@ Window::Window(const WindowSettings& settings) {
 
     glfwSetWindowUserPointer(window_, &queue_);
     glfwSetKeyCallback(window_, on_key);
+    glfwSetCharCallback(window_, on_character);
     glfwSetMouseButtonCallback(window_, on_button);
     glfwSetCursorPosCallback(window_, on_move);
     glfwSetScrollCallback(window_, on_scroll);
     glfwSetDropCallback(window_, on_drop);
+    glfwSetWindowRefreshCallback(window_, on_window);
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { on_window(window); });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { on_window(window); });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { on_window(window); });
 }
 
 Window::~Window() {
@@ -160,9 +205,19 @@ Window::~Window() {
     glfwTerminate();
 }
 
-void Window::show(int width, int height) {
+void Window::show(int width, int height, bool grows) {
+    const glm::ivec2 room = work_area();
+    const float scale = content_scale();
+    const auto scaled = [&](int units, int most) {
+        const int wanted = int(float(units) * scale);
+        return most > 0 ? std::min(wanted, most) : wanted;
+    };
+    if (grows) {
+        width = scaled(width, room.x);
+        height = scaled(height, room.y);
+    }
     glfwSetWindowSize(window_, width, height);
-    glfwSetWindowSizeLimits(window_, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowSizeLimits(window_, scaled(480, room.x / 2), scaled(360, room.y / 2), GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwShowWindow(window_);
 }
 
@@ -173,8 +228,11 @@ void Window::close() {
     glfwSetWindowShouldClose(window_, GLFW_TRUE);
 }
 
-std::vector<InputEvent> Window::poll() {
-    glfwPollEvents();
+std::vector<InputEvent> Window::poll(double wait) {
+    if (wait > 0.0)
+        glfwWaitEventsTimeout(wait);
+    else
+        glfwPollEvents();
     return std::exchange(queue_.events, {});
 }
 
@@ -195,6 +253,10 @@ glm::ivec2 Window::framebuffer_size() const {
     int width = 0, height = 0;
     glfwGetFramebufferSize(window_, &width, &height);
     return {width, height};
+}
+
+bool Window::hidden() const {
+    return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) || !glfwGetWindowAttrib(window_, GLFW_VISIBLE);
 }
 
 // Where the framebuffer is already larger than the window, the desktop's wish is met by that.

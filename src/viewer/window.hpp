@@ -26,16 +26,19 @@ public:
     Window& operator=(const Window&) = delete;
 
     /// Until then the window is hidden and small: one of a size that cannot be drawn would take long to be made.
-    void show(int width, int height);
+    /// `grows`: with the desktop's text, as far as there is room.
+    void show(int width, int height, bool grows);
 
     bool open() const;
     void close();
-    std::vector<InputEvent> poll();  // what happened since the last call, in order
+    /// What happened since the last call, in order; waits so many seconds for something to happen.
+    std::vector<InputEvent> poll(double wait = 0.0);
     void swap();
     void set_title(const std::string& title);
 
     glm::ivec2 size() const;              // window units
     glm::ivec2 framebuffer_size() const;  // pixels
+    bool hidden() const;                  // minimised, or not shown by the window manager
     float content_scale() const;          // how much larger than usual the desktop wants text
     GLFWwindow* handle() const { return window_; }
 

@@ -126,7 +126,15 @@ Look App::wait_until(const std::string& what, const std::function<bool(const Loo
 Look App::settle() {
     // The frame being drawn may have taken its input before; the one after it has seen everything.
     const double now = look().number("frame");
-    return wait_until("another frame", [now](const Look& look) { return look.number("frame") >= now + 2; });
+    double woken = -1.0;
+    return wait_until("another frame", [&](const Look& look) {
+        // A property that means nothing to the program wakes it from its rest.
+        if (look.text("resting") == "1" && look.number("frame") > woken) {
+            woken = look.number("frame");
+            screen_.xdotool({"set_window", "--icon-name", "woken", window_});
+        }
+        return look.number("frame") >= now + 2;
+    });
 }
 
 void App::give_up(const std::string& why) {
@@ -198,6 +206,10 @@ void App::resize(int width, int height) {
     screen_.xdotool({"windowsize", window_, std::to_string(width), std::to_string(height)});
 }
 
+void App::hide() {
+    screen_.xdotool({"windowunmap", window_});
+}
+
 Control App::find(const std::string& label) {
     return wait_until("the control '" + label + "'", [&](const Look& look) { return look.has(label); })
         .controls.at(label);
@@ -234,11 +246,7 @@ void App::type_number(const std::string& label, const std::string& text) {
 
 void App::type(const std::string& label, const std::string& text) {
     click(label);
-    // Control is let go last: a key that is down longer than the keyboard's repeat delay would type.
-    screen_.xdotool({"keydown", "ctrl"});
-    hold("a");
-    screen_.xdotool({"keyup", "ctrl"});
-    settle();
+    press("ctrl+a");
     screen_.xdotool({"type", "--delay", "5", text});
     wait_until("'" + label + "' to hold what was typed",
                [&](const Look& look) { return look.has(label) && look.controls.at(label).value == text; });

@@ -55,7 +55,7 @@ public:
     Look look();
     /// Waits until a look satisfies `condition` and gives it back; throws, naming `what`, if that takes too long.
     Look wait_until(const std::string& what, const std::function<bool(const Look&)>& condition);
-    /// Waits until whatever was done before has been seen and drawn.
+    /// Waits until whatever was done before has been seen and drawn, by a window at rest too.
     Look settle();
 
     void move_to(Point p);
@@ -68,6 +68,8 @@ public:
     /// A key held until the window has drawn with it.
     void hold(const std::string& key);
     void resize(int width, int height);
+    /// Takes the window off the screen, as a window manager does that minimises it.
+    void hide();
 
     /// Scrolls the open page down until the control is in sight.
     void show(const std::string& label);

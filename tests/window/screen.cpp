@@ -2,6 +2,9 @@
 
 #include "image/image_file.hpp"
 
+#include <X11/Xatom.h>
+#include <X11/Xlib.h>
+
 #include <stdexcept>
 #include <thread>
 
@@ -35,6 +38,34 @@ Image Screen::picture() const {
                               surroundings_);
     if (grab.status != 0) throw std::runtime_error("could not take a picture of the screen: " + grab.errors);
     return load_image(file);
+}
+
+namespace {
+
+void run_or_throw(const std::vector<std::string>& command, const Surroundings& surroundings) {
+    const Finished done = run(command, surroundings);
+    if (done.status != 0) throw std::runtime_error(command[0] + ": " + done.errors);
+}
+
+}  // namespace
+
+void Screen::use_layout(const std::string& name) const {
+    run_or_throw({"setxkbmap", name}, surroundings_);
+}
+
+void Screen::use_dpi(int dpi) const {
+    run_or_throw({"xprop", "-root", "-f", "RESOURCE_MANAGER", "8s", "-set", "RESOURCE_MANAGER",
+                  "Xft.dpi:\t" + std::to_string(dpi)},
+                 surroundings_);
+}
+
+void Screen::leave_dead_window_manager() const {
+    Display* display = XOpenDisplay(display_.c_str());
+    if (!display) throw std::runtime_error("the screen does not answer");
+    const ::Window gone = 0x1fffff;
+    XChangeProperty(display, DefaultRootWindow(display), XInternAtom(display, "_NET_SUPPORTING_WM_CHECK", False),
+                    XA_WINDOW, 32, PropModeReplace, reinterpret_cast<const unsigned char*>(&gone), 1);
+    XCloseDisplay(display);
 }
 
 std::string Screen::xdotool(std::vector<std::string> arguments) const {

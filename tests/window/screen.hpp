@@ -22,6 +22,13 @@ public:
     /// What is on the screen now, without the mouse pointer.
     Image picture() const;
 
+    /// The keyboard's layout from now on, as setxkbmap names it.
+    void use_layout(const std::string& name) const;
+    /// How many dots an inch programs started from now on take the screen to have.
+    void use_dpi(int dpi) const;
+    /// What a window manager leaves behind that is killed: the root window names a window that is gone.
+    void leave_dead_window_manager() const;
+
     /// Runs xdotool, which sends real mouse and key events; gives back what it prints.
     std::string xdotool(std::vector<std::string> arguments) const;
 

@@ -1,0 +1,11 @@
+// A window manager that died leaves its property _NET_SUPPORTING_WM_CHECK on the root window, naming a window that is
+// gone. GLFW 3.3 aborts the program when it starts on such a display.
+#pragma once
+
+namespace drapeau {
+
+/// Removes the property unless the window it names is a window manager's: one that says the same of itself (EWMH,
+/// "_NET_SUPPORTING_WM_CHECK"). Does nothing without an X server.
+void forget_dead_window_manager();
+
+}  // namespace drapeau

@@ -1,0 +1,85 @@
+#include "key_feed.hpp"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace drapeau {
+
+#if IMGUI_VERSION_NUM < 18700
+
+namespace {
+
+using Kind = InputEvent::Kind;
+
+bool is_modifier(int code) {
+    return code >= GLFW_KEY_LEFT_SHIFT && code <= GLFW_KEY_RIGHT_SUPER;
+}
+
+bool is_control(int code) {
+    return code == GLFW_KEY_LEFT_CONTROL || code == GLFW_KEY_RIGHT_CONTROL;
+}
+
+bool is_of_keyboard(const InputEvent& event) {
+    const bool key = event.kind == Kind::key || event.kind == Kind::key_up;
+    return event.kind == Kind::character || (key && event.code >= 0 && event.code < GLFW_KEY_LAST);
+}
+
+}  // namespace
+
+// A frame takes characters and then one key: ImGui types first and knows no order among keys. What is pressed stays
+// down for a frame, and the modifiers with it; what is let go stays up for one.
+void KeyFeed::feed(const std::vector<InputEvent>& events) {
+    std::copy_if(events.begin(), events.end(), std::back_inserter(waiting_), is_of_keyboard);
+    ImGuiIO& io = ImGui::GetIO();
+    io.ClearInputCharacters();
+    bool typed = false;
+    int pressed = GLFW_KEY_UNKNOWN;  // the one key
+    std::set<int> released;
+    for (; !waiting_.empty(); waiting_.pop_front()) {
+        const InputEvent& event = waiting_.front();
+        const bool acted = pressed != GLFW_KEY_UNKNOWN;
+        if (event.kind == Kind::character) {
+            if (acted) break;
+            io.AddInputCharacter(event.typed);
+            typed = true;
+            continue;
+        }
+        if (is_modifier(event.code) ? acted || (typed && is_control(event.code)) : event.code == pressed) break;
+        if (event.kind == Kind::key_up) {
+            down_.erase(event.code);
+            released.insert(event.code);
+            continue;
+        }
+        // A key that types is what it types.
+        if (waiting_.size() > 1 && waiting_[1].kind == Kind::character) continue;
+        if (released.contains(event.code) || (!is_modifier(event.code) && acted)) break;
+        down_.insert(event.code);
+        if (!is_modifier(event.code)) pressed = event.code;
+    }
+    const auto holds = [this](int left, int right) { return down_.contains(left) || down_.contains(right); };
+    for (int code = 0; code < GLFW_KEY_LAST; ++code) io.KeysDown[code] = down_.contains(code);
+    io.KeyCtrl = holds(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+    io.KeyShift = holds(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    io.KeyAlt = holds(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+    io.KeySuper = holds(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER);
+}
+
+bool KeyFeed::has_waiting() const {
+    return !waiting_.empty();
+}
+
+#else
+
+void KeyFeed::feed(const std::vector<InputEvent>&) {}
+
+bool KeyFeed::has_waiting() const {
+    return !ImGui::GetCurrentContext()->InputEventsQueue.empty();
+}
+
+#endif
+
+}  // namespace drapeau

@@ -1,0 +1,26 @@
+#include "layout.hpp"
+
+#include <algorithm>
+
+namespace drapeau {
+
+namespace {
+
+constexpr float margin = 12.0f;                                   // window units around the panel
+constexpr float widest_panel = 348.0f, narrowest_panel = 280.0f;  // window units; narrower cuts off its labels
+constexpr float opened_share = 0.62f;                             // of a narrow window
+
+}  // namespace
+
+void lay_out(Session& session, float width, float height, float scale) {
+    const float gap = margin * scale, half = 0.5f * width - gap;
+    session.panel_area = {};
+    session.view_area = {0.0f, 0.0f, width, height};
+    session.narrow = half < narrowest_panel * scale;
+    if (!session.panel_open()) return;
+    const float panel = std::min(widest_panel * scale, session.narrow ? opened_share * width - gap : half);
+    session.panel_area = {gap, gap, gap + panel, height - gap};
+    session.view_area.x0 = session.panel_area.x1;
+}
+
+}  // namespace drapeau

@@ -1,0 +1,12 @@
+// Layout: how the panel and the flag share the window. Beside the flag the panel takes at most half the width. In a
+// window too narrow for that it steps aside: it is opened over part of the view, and the flag moves into the rest.
+#pragma once
+
+#include "session.hpp"
+
+namespace drapeau {
+
+/// Sets the session's areas, known before anything is drawn. `scale`: how much larger than usual text is.
+void lay_out(Session& session, float width, float height, float scale);
+
+}  // namespace drapeau
