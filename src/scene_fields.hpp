@@ -132,6 +132,7 @@ inline constexpr std::tuple time_keys{
 
 inline constexpr std::tuple view_keys{
     Key{"texture", &ViewSettings::texture, "the picture on the cloth"},
+    Key{"cut_out", &ViewSettings::cut_out, "no cloth where the picture is transparent"},
     Key{"cloth", &ViewSettings::cloth, "the cloth itself"},
     Key{"springs", &ViewSettings::springs, "springs as lines"},
     Key{"forces", &ViewSettings::forces, "springs coloured by their force"},

@@ -24,19 +24,24 @@ void choose_view(Session& session, Widgets& widgets) {
     const float half = ImGui::GetContentRegionAvail().x * 0.5f;
     widgets.toggle("Texture", view.texture, "The image on the flag; off: plain cloth. Key T");
     ImGui::SameLine(half);
+    ImGui::BeginDisabled(!session.status.image_has_holes);
+    widgets.toggle(
+        "Cut out", view.cut_out,
+        "No cloth is drawn where the image is transparent, so that a flag has its image's outline; off: pale "
+        "cloth. The simulated cloth is rectangular either way.");
+    ImGui::EndDisabled();
+    widgets.toggle("Cloth", view.cloth, "The surface between the masses. Key C");
+    ImGui::SameLine(half);
+    widgets.toggle("Masses", view.masses, "Every mass as a point. Key M");
     widgets.toggle("Springs", view.springs, "Every spring as a line. Key S");
-
+    ImGui::SameLine(half);
     bool diagonals = session.scene.springs.diagonal_stiffness.has_value();
     if (widgets.toggle(
             "Diagonals", diagonals,
             "Diagonal springs, simulated and drawn. They resist shear and double the number of springs. Key D"))
         toggle_diagonals(session);
-    ImGui::SameLine(half);
     widgets.toggle("Force colours", view.forces,
                    "Colours each spring by its force, white to red, with a scale in newtons below the flag. Key F");
-    widgets.toggle("Masses", view.masses, "Every mass as a point. Key M");
-    ImGui::SameLine(half);
-    widgets.toggle("Cloth", view.cloth, "The surface between the masses. Key C");
 }
 
 }  // namespace

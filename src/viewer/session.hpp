@@ -57,6 +57,7 @@ struct Status {
     double step_seconds = 0.0;      // wall-clock
     double frame_seconds = 0.0;     // wall-clock
     double flag_proportions = 0.0;  // of the texture, width / height; 0 without one
+    bool image_has_holes = false;   // parts that may be cut out
 
     bool stands() const { return divergence || !failure.empty(); }
     /// Wall-clock time over simulated time, if steps followed each other without rest.

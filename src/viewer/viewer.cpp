@@ -204,6 +204,7 @@ void Viewer::set_image(const std::filesystem::path& file, const std::optional<Im
     else
         renderer_.texture().clear();
     session_.texture_file = file;
+    session_.status.image_has_holes = renderer_.texture().has_holes();
     session_.status.flag_proportions = image ? double(image->width) / double(image->height) : 0.0;
 }
 

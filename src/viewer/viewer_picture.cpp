@@ -68,6 +68,7 @@ Picture Viewer::picture() const {
             .eye = camera_.eye(framing_, session_.view_area),
             .cloth = view.cloth,
             .texture = view.texture,
+            .cut_out = view.cut_out,
             .springs = view.springs,
             .forces = view.forces,
             .masses = view.masses,
