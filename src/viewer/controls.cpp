@@ -104,10 +104,10 @@ void Controls::key(const InputEvent& event, Session& session, Camera& camera) {
             camera.closer(-1.0f);
             return;
         case Key::escape:
-            if (session.help_shown)
-                session.help_shown = false;
-            else
-                session.message.text.clear();
+            close_one(session);
+            return;
+        case Key::enter:
+            agree(session);
             return;
         case Key::other:
             break;

@@ -9,7 +9,7 @@
 namespace drapeau {
 
 /// Keys that do something whatever the keyboard's language; of others only what they type counts.
-enum class Key { other, space, escape, f1, home, left, right, up, down, keypad_add, keypad_subtract };
+enum class Key { other, space, escape, enter, f1, home, left, right, up, down, keypad_add, keypad_subtract };
 enum class MouseButton { left, right, middle, other };
 
 struct InputEvent {

@@ -9,6 +9,7 @@
 #include "gl_errors.hpp"
 #include "gui.hpp"
 #include "library.hpp"
+#include "loader.hpp"
 #include "options.hpp"
 #include "pace.hpp"
 #include "panels.hpp"
@@ -46,9 +47,14 @@ private:
     Picture picture() const;
 
     void load_wanted();
+    void use(Loaded loaded);
+    void wear(const std::filesystem::path& file, std::optional<Image> image);
+    void save_wanted();
+    void save(const std::filesystem::path& file);
+    void use_safe_step();
     void send_settings();
-    void adopt(const LoadedScene& loaded);
-    void set_image(const std::filesystem::path& file, const std::optional<Image>& image);
+    void adopt(LoadedScene loaded);
+    void set_image(const std::filesystem::path& file, std::optional<Image> image);
     void receive(double wall_seconds);
     void hear_of_run();
     void keep_proportions();
@@ -64,6 +70,7 @@ private:
     Renderer renderer_;
     std::unique_ptr<Film> film_;
     SimulationThread simulation_;
+    Loader loader_;
 
     Session session_;
     PanelMemory panel_memory_;
