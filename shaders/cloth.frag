@@ -1,41 +1,8 @@
 #version 330 core
-#include "frame.glsl"
-#include "light.glsl"
+#include "cloth_light.glsl"
 
-uniform sampler2D picture;
 uniform int textured;
-uniform float dimmed;  // 1: a dark backdrop for force colours
-
-in vec3 to_eye;
-in vec3 half_way;  // between the eye and the sun
-in vec3 normal;
-in vec2 texture_place;
-
-out vec4 shade;
 
 const vec3 plain = vec3(0.075, 0.125, 0.215);
-const vec3 dark = vec3(0.035, 0.043, 0.058);
 
-void main() {
-    vec3 n = normalize(normal);
-    if (!gl_FrontFacing) n = -n;
-
-    vec3 color = textured == 1 ? texture(picture, texture_place).rgb : plain;
-    color = mix(color, dark + 0.06 * color, dimmed);
-
-    // Lit side, light that comes through from behind, and a sheen that runs along folds seen at a grazing angle.
-    float facing = dot(n, sun.xyz);
-    float lit = max(0.0, facing);
-    float through = max(0.0, -facing);
-    float seen = max(0.0, dot(n, to_eye));
-    float graze = 1.0 - seen;
-    float glint = max(0.0, dot(n, half_way));
-    glint *= glint;
-    glint *= glint;
-    glint *= glint;
-    glint *= glint;
-
-    vec3 light = ambient(n) + sun_light * (0.68 * lit + 0.28 * through) + 0.08 * seen;
-    vec3 sheen = sky_light * (0.012 + 0.16 * graze * graze) + sun_light * 0.05 * glint * step(0.0, facing);
-    shade = vec4(color * light + sheen, 1.0);
-}
+void main() { shade = vec4(lit(textured == 1 ? on_cloth(texture(picture, texture_place)) : plain), 1.0); }

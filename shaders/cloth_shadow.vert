@@ -5,4 +5,10 @@
 
 uniform ivec2 grid;  // columns, rows
 
-void main() { gl_Position = shadow_place(position(ivec2(gl_VertexID % grid.x, gl_VertexID / grid.x))); }
+out vec2 texture_place;
+
+void main() {
+    ivec2 mass = ivec2(gl_VertexID % grid.x, gl_VertexID / grid.x);
+    texture_place = vec2(mass) / vec2(max(grid - 1, ivec2(1)));
+    gl_Position = shadow_place(position(mass));
+}

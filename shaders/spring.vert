@@ -1,6 +1,7 @@
 #version 330 core
 #include "frame.glsl"
 #include "grid.glsl"
+#include "image.glsl"
 
 uniform ivec2 offset;     // columns and rows from a spring's one end to the other
 uniform int per_row;      // springs of this kind in a row
@@ -13,7 +14,6 @@ uniform float force_scale;  // N
 uniform vec3 color;
 uniform int on_picture;   // 1: light on dark parts of the picture and dark on light ones
 uniform ivec2 grid;       // columns, rows
-uniform sampler2D picture;
 
 out vec3 tint;
 out float across;  // pixels from the line's middle
@@ -27,7 +27,7 @@ const float share_of_cell = 0.15; // a line's width at most, so that small cells
 const float coarse = 2.0;         // mipmap level at which the picture's brightness is looked up
 
 vec3 contrast(vec2 mass) {
-    vec3 below = textureLod(picture, mass / vec2(max(grid - 1, ivec2(1))), coarse).rgb;
+    vec3 below = on_cloth(textureLod(picture, mass / vec2(max(grid - 1, ivec2(1))), coarse));
     return dot(below, vec3(0.2126, 0.7152, 0.0722)) > 0.18 ? dark : light;
 }
 

@@ -53,6 +53,7 @@ struct TimeSettings {
 /// What the window shows; the physics ignores it.
 struct ViewSettings {
     bool texture = true;
+    bool cut_out = true;  // where the texture is transparent there is no cloth to be seen
     bool cloth = true;
     bool springs = false;
     bool forces = false;

@@ -220,6 +220,9 @@ inline constexpr std::tuple time_keys{
 
 inline constexpr std::tuple view_keys{
     Key{"texture", &ViewSettings::texture, About{"Texture", "", "the image on the cloth", "Off: plain cloth. Key T"}},
+    Key{"cut_out", &ViewSettings::cut_out,
+        About{"Cut out", "", "no cloth where the image is transparent",
+              "The flag has its image's outline; off: pale cloth. The simulated cloth is rectangular either way."}},
     Key{"cloth", &ViewSettings::cloth, About{"Cloth", "", "the surface between the masses", "Key C"}},
     Key{"springs", &ViewSettings::springs, About{"Springs", "", "every spring as a line", "Key S"}},
     Key{"forces", &ViewSettings::forces,

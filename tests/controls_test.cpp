@@ -173,16 +173,35 @@ TEST_CASE("keys are text while a text is typed, and shortcuts with control do no
     CHECK(!desk.session.wishes.restart);
 }
 
-TEST_CASE("Escape closes the list of keys first, then the message") {
+TEST_CASE("Escape closes a question first, then the list of keys, then the message") {
     Desk desk;
-    say(desk.session, "anything", true);
+    say(desk.session, Message::Cause::image, "anything", true);
     desk.key(Key::f1);
+    CHECK(desk.session.help_shown);
+    desk.session.question = Question{"/tmp/a.toml", "Overwrite it?"};
+    desk.key(Key::escape);
+    CHECK(!desk.session.question);
+    CHECK(!desk.session.wishes.overwrite);
     CHECK(desk.session.help_shown);
     desk.key(Key::escape);
     CHECK(!desk.session.help_shown);
     CHECK(desk.session.message.text == "anything");
     desk.key(Key::escape);
     CHECK(desk.session.message.text.empty());
+}
+
+TEST_CASE("Enter agrees to what is asked, and does nothing where nothing is") {
+    Desk desk;
+    desk.key(Key::enter);
+    CHECK(!desk.session.wishes.overwrite);
+    desk.session.question = Question{"/tmp/a.toml", "Overwrite it?"};
+    desk.claims.keyboard = true;  // a text is typed
+    desk.key(Key::enter);
+    CHECK(!desk.session.wishes.overwrite);
+    desk.claims.keyboard = false;
+    desk.key(Key::enter);
+    CHECK(desk.session.wishes.overwrite == "/tmp/a.toml");
+    CHECK(!desk.session.question);
 }
 
 TEST_CASE("a dropped scene file is a scene, any other an image") {

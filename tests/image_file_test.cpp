@@ -233,6 +233,26 @@ TEST_CASE("a large JPEG is halved while it is decoded") {
     CHECK(has_corners(image, red, green, red, green, lossy));
 }
 
+TEST_CASE("an image that nobody wants any more is abandoned") {
+    const std::string name = GENERATE("alpha.png", "grain.jpg", "progressive.jpg", "inks.jpg", "lossy.webp",
+                                      "alpha.webp", "quarters.gif", "interlaced.gif", "quarters.bmp");
+    CAPTURE(name);
+    std::stop_source source;
+    CHECK_NOTHROW(decode_image(sample(name), source.get_token()));
+    source.request_stop();
+    CHECK_THROWS_AS(decode_image(sample(name), source.get_token()), Abandoned);
+}
+
+TEST_CASE("an image has holes where it is more transparent than opaque") {
+    Image image = blank_image(3, 2);
+    for (std::uint8_t& value : image.rgba) value = 255;
+    CHECK(!has_holes(image));
+    image.pixel(2, 1)[3] = 128;
+    CHECK(!has_holes(image));
+    image.pixel(2, 1)[3] = 127;
+    CHECK(has_holes(image));
+}
+
 TEST_CASE("transparent pixels give an average no colour") {
     Image image = blank_image(2, 2);
     image.rgba = {200, 100, 50, 255, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255, 0, 0};

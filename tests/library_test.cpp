@@ -3,6 +3,7 @@
 #include "error.hpp"
 #include "scene_file.hpp"
 #include "viewer/library.hpp"
+#include "viewer/saving.hpp"
 
 #include "image/image.hpp"
 
@@ -94,4 +95,52 @@ TEST_CASE("an image that is missing or broken is a message and a plain flag, nev
     CHECK(load_scene(saved.file.string()).fault.find("missing.png") != std::string::npos);
     picture(folder.path / "missing.png");
     CHECK(load_scene(saved.file.string()).fault.empty());
+}
+
+TEST_CASE("a scene is saved without a question only where nothing is lost") {
+    const Folder folder;
+    const auto question = [&](const fs::path& file, const std::vector<fs::path>& own = {}) {
+        return question_before_saving(file, own, {}).value_or("");
+    };
+    const fs::path scene = folder.path / "scene.toml";
+    CHECK(question(scene).empty());
+    save_scene(some_scene(), scene);
+    CHECK(question(scene) == scene.string() + " exists. Overwrite it?");
+    const fs::path link = folder.path / "link.toml";
+    fs::create_symlink(scene, link);
+    CHECK(question(link).starts_with(link.string() + " exists."));
+    CHECK(question(scene, {folder.path / "gone.toml", link}).empty());
+    CHECK(question(link, {scene}).empty());
+    for (const std::string content : {"no scene", "", "[springs]\nmass = -1\n"}) {
+        const fs::path foreign = folder.path / "foreign.toml";
+        std::ofstream(foreign) << content;
+        CHECK(question(foreign).find(" exists and is not a scene.") != std::string::npos);
+    }
+    CHECK(question("/dev/null").empty());
+}
+
+TEST_CASE("a scene is never saved over the image on its flag") {
+    const Folder folder;
+    const fs::path image = picture(folder.path / "a.png"), link = folder.path / "b.toml";
+    fs::create_symlink(image, link);
+    for (const fs::path& name : {image, link})
+        CHECK_THROWS_WITH(question_before_saving(name, {image}, image), ContainsSubstring("the image on the flag"));
+    CHECK(question_before_saving(image, {}, {})->find("is not a scene") != std::string::npos);
+}
+
+TEST_CASE("a scene gets the path that was typed, with an ending") {
+    CHECK(scene_path("/tmp/flag") == "/tmp/flag.toml");
+    CHECK(scene_path("/tmp/flag.txt") == "/tmp/flag.txt");
+    CHECK(scene_path("flag") == fs::current_path() / "flag.toml");
+    CHECK_THROWS_AS(scene_path(""), InputError);
+}
+
+TEST_CASE("what would not open again to the same scene is not saved, and the file stays as it was") {
+    const Folder folder;
+    const fs::path file = folder.path / "scene.toml";
+    save_scene(some_scene(), file);
+    Scene impossible = some_scene();
+    impossible.flag.columns = 0;
+    CHECK_THROWS_AS(save_scene(impossible, file), InputError);
+    CHECK(load_scene(file.string()).scene == some_scene());
 }

@@ -119,7 +119,7 @@ const std::string long_text(5000, 'x');
 
 Scene long_scene() {
     Scene scene;
-    scene.name = long_text;
+    scene.name = std::string(2000, 'n');
     return scene;
 }
 

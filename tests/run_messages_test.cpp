@@ -74,7 +74,7 @@ TEST_CASE("the next refusal is told again, in the same words too") {
 TEST_CASE("a later message takes a refusal's place and stays") {
     Window window;
     window.hear(refused(0, 1, "too large"), 1);
-    say(window.session, "Saved it", false);
+    say(window.session, Message::Cause::save, "Saved it", false);
     window.hear(refused(0, 1, "too large"), 1);
     CHECK(window.shown() == "Saved it");
     // That the refused scene gave way to a good one is no reason to take it away.
@@ -119,7 +119,7 @@ TEST_CASE("a standstill is told once, can be closed, and its message goes when t
 TEST_CASE("a run that goes on leaves other messages alone") {
     Window window;
     window.hear(diverged(0, "it stands"), 0);
-    say(window.session, "Saved it", false);
+    say(window.session, Message::Cause::save, "Saved it", false);
     window.hear(running(1), 1);
     CHECK(window.shown() == "Saved it");
 }
@@ -171,8 +171,34 @@ TEST_CASE("of a run that stands only that is told") {
     CHECK(window.shown().empty());
 }
 
+TEST_CASE("what ends a cause closes its message and no other") {
+    using Cause = Message::Cause;
+    const Cause causes[] = {Cause::image,   Cause::scene,      Cause::save,   Cause::screenshot,
+                            Cause::refusal, Cause::standstill, Cause::lowered};
+    for (const Cause told : causes)
+        for (const Cause ended : causes) {
+            Session session;
+            say(session, told, "no such image", true);
+            close_if(session.message, ended);
+            CHECK(session.message.text == (told == ended ? "" : "no such image"));
+        }
+}
+
+TEST_CASE("why a run stands can be told again after its message was closed, and goes when the run goes on") {
+    Window window;
+    window.hear(diverged(0, "it stands"), 0);
+    window.session.status.divergence = diverged(0, "it stands").divergence;
+    window.close();
+    say_why_it_stands(window.session);
+    CHECK(window.shown() == "it stands");
+    window.hear(diverged(0, "it stands"), 0);
+    CHECK(window.shown() == "it stands");
+    window.hear(running(1), 1);
+    CHECK(window.shown().empty());
+}
+
 TEST_CASE("the message box shows what its text holds, also what cannot be seen") {
     Session session;
-    say(session, "Saved /home/a\n\x1b[2J\xFF", false);
+    say(session, Message::Cause::save, "Saved /home/a\n\x1b[2J\xFF", false);
     CHECK(session.message.shown() == "Saved /home/a\\n\\x1b[2J\\xff");
 }

@@ -364,13 +364,14 @@ TEST_CASE("A hanging start is at rest", "[physics]") {
         // Nothing weighs on one spring with more than twice all that hangs: 2 * 77 m g / k over the shorter cell.
         CHECK(simulation.readings().max_stretch < 2.0 * 77.0 * 0.001 * 9.8 / 200.0 / 0.15);
         CHECK(simulation.readings().kinetic_energy == 0.0);
-        // Left alone for a second it stays: settled to 1e-4 m/s (root mean square), it drifts no further than 1 cm,
-        // where a flag let go flat falls by a metre.
+        CHECK(simulation.start_remark().empty());
+        // Left alone for a second it stays: within a tenth of a millimetre of rest it swings by as much to the other
+        // side, here and there a few times as far.
         run(simulation, 60);
         const auto later = masses(simulation);
         double most = 0.0;
         for (std::size_t n = 0; n < start.size(); ++n) most = std::max(most, length(later[n].x - start[n].x));
-        CHECK(most < 0.01);
+        CHECK(most < 1e-3);
         CHECK(simulation.readings().gravity_energy < -0.2 * 77 * 0.001 * 9.8 * 0.5);  // it hangs down
     }
 }

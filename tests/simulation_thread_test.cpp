@@ -36,6 +36,15 @@ Scene large() {
     return scene;
 }
 
+/// One that takes all the work that settling may.
+Scene slow_to_settle() {
+    Scene scene = sheet(200, 200);
+    scene.springs.stiffness = 1000.0;
+    scene.springs.mass = 1e-5;
+    scene.flag.start = Start::hanging;
+    return scene;
+}
+
 Scene impossible() {
     Scene scene = sheet();
     scene.flag.columns = 0;
@@ -242,6 +251,28 @@ TEST_CASE("a thread ends promptly in the middle of a batch that takes minutes") 
     thread.reset();
     // Hundredths of a second; the rest is for a busy machine.
     CHECK(std::chrono::steady_clock::now() - begin < 10s);
+}
+
+TEST_CASE("a start that settles is abandoned for a newer change, which then starts anew, and by the end") {
+    auto thread = std::make_unique<SimulationThread>(Simulation(sheet()));
+    thread->ask_batches(3);
+    thread->wait();
+    thread->restart(slow_to_settle(), 1);
+    while (!thread->settling()) std::this_thread::sleep_for(1ms);
+    auto begin = std::chrono::steady_clock::now();
+    thread->apply(sheet(20, 10), 2);
+    const Moment moment = newest_of(*thread);
+    CHECK(std::chrono::steady_clock::now() - begin < 1s);  // it needs three
+    CHECK(!thread->settling());
+    CHECK(moment.revision == 2);
+    CHECK(moment.scene == sheet(20, 10));
+    CHECK(moment.snapshot.time == 0.0);
+
+    thread->apply(slow_to_settle(), 3);
+    while (!thread->settling()) std::this_thread::sleep_for(1ms);
+    begin = std::chrono::steady_clock::now();
+    thread.reset();
+    CHECK(std::chrono::steady_clock::now() - begin < 1s);
 }
 
 TEST_CASE("a refused scene is reported with its reason and leaves the run as it was") {

@@ -28,7 +28,7 @@ void check_whole(Bytes bytes, std::int64_t width, std::int64_t height) {
 
 }  // namespace
 
-Image decode_bmp(Bytes bytes) {
+Image decode_bmp(Bytes bytes, const std::stop_token& stop) {
     int width = 0, height = 0, channels = 0;
     const int count = int(bytes.size());
     if (bytes.size() < 30) fail_cut_in_header();
@@ -41,6 +41,7 @@ Image decode_bmp(Bytes bytes) {
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(bytes.data(), count, &width, &height, &channels, 4), stbi_image_free);
     if (!pixels) fail_decoding(stbi_failure_reason());
+    check_wanted(stop);
     Image image = blank_image(width, height);
     std::copy_n(pixels.get(), image.rgba.size(), image.rgba.begin());
     return image;

@@ -74,7 +74,7 @@ void draw_row(const std::vector<GifPixelType>& indices, const ColorMapObject& co
 
 }  // namespace
 
-Image decode_gif(Bytes bytes) {
+Image decode_gif(Bytes bytes, const std::stop_token& stop) {
     Source source{.rest = bytes};
     int error = 0;
     const Gif gif(DGifOpen(&source, read_some, &error));
@@ -99,6 +99,7 @@ Image decode_gif(Bytes bytes) {
     for (const auto [first, step] :
          frame.Interlace ? std::span<const Pass>(interlaced) : std::span<const Pass>(at_once))
         for (int row = first; row < frame.Height; row += step, ++rows) {
+            check_wanted(stop);
             if (DGifGetLine(gif.get(), indices.data(), frame.Width) == GIF_ERROR) {
                 if (source.at_end || gif->Error == D_GIF_ERR_EOF_TOO_SOON) fail_cut_short(rows, frame.Height);
                 fail_decoding(GifErrorString(gif->Error));

@@ -26,6 +26,7 @@ struct Reading {
     jpeg_error_mgr errors{};
     jpeg_progress_mgr progress{};
     std::jmp_buf escape;
+    std::stop_token stop;
     char reason[JMSG_LENGTH_MAX] = "";
     bool at_end = false;      // libjpeg wanted more than there is
     bool lacks_data = false;  // ... to decode the picture
@@ -33,7 +34,7 @@ struct Reading {
     std::int64_t rows = 0;    // and the rows that scan has whole
     Image image;
 
-    Reading() = default;
+    explicit Reading(const std::stop_token& asked) : stop(asked) {}
     Reading(const Reading&) = delete;
     Reading& operator=(const Reading&) = delete;
     ~Reading() { jpeg_destroy_decompress(&jpeg); }
@@ -64,6 +65,7 @@ void on_message(j_common_ptr jpeg, int level) {
 
 void on_progress(j_common_ptr jpeg) {
     Reading& reading = reading_of(jpeg);
+    if (reading.stop.stop_requested()) std::longjmp(reading.escape, 1);
     if (reading.jpeg.input_scan_number <= most_scans) return;
     std::snprintf(reading.reason, sizeof reading.reason, "more than %d scans", most_scans);
     std::longjmp(reading.escape, 1);
@@ -99,6 +101,7 @@ bool read_rows(Reading& reading) {
     if (setjmp(reading.escape)) return false;
     jpeg_decompress_struct& jpeg = reading.jpeg;
     while (jpeg.output_scanline < jpeg.output_height) {
+        check_wanted(reading.stop);
         JSAMPROW row = reading.image.pixel(0, int(jpeg.output_scanline));
         jpeg_read_scanlines(&jpeg, &row, 1);
     }
@@ -135,6 +138,7 @@ void check_whole(const Reading& reading) {
 
 // After an error of libjpeg; at the file's end it takes what a marker lacks for an error of the marker.
 [[noreturn]] void fail(const Reading& reading) {
+    check_wanted(reading.stop);
     if (!reading.at_end) fail_decoding(reading.reason);
     reading.jpeg.input_scan_number > 1 ? fail_lacking_detail() : fail_cut_in_header();
 }
@@ -158,8 +162,8 @@ int orientation_of(const jpeg_decompress_struct& jpeg) {
 
 }  // namespace
 
-Image decode_jpeg(Bytes bytes) {
-    Reading reading;
+Image decode_jpeg(Bytes bytes, const std::stop_token& stop) {
+    Reading reading(stop);
     jpeg_decompress_struct& jpeg = reading.jpeg;
     jpeg.err = jpeg_std_error(&reading.errors);
     jpeg.client_data = &reading;

@@ -17,13 +17,14 @@ struct Reading {
     png_structp png = nullptr;
     png_infop info = nullptr;
     Bytes rest;
+    std::stop_token stop;
     bool at_end = false;  // libpng wanted more than there is
     char reason[120] = "";
     Image image;
     int passes = 1;
     int whole_rows = 0;
 
-    explicit Reading(Bytes bytes) : rest(bytes) {}
+    Reading(Bytes bytes, const std::stop_token& asked) : rest(bytes), stop(asked) {}
     Reading(const Reading&) = delete;
     Reading& operator=(const Reading&) = delete;
     ~Reading() { png_destroy_read_struct(&png, &info, nullptr); }
@@ -67,6 +68,7 @@ bool read_rows(Reading& reading) {
     png_read_update_info(reading.png, reading.info);
     for (int pass = 1; pass <= reading.passes; ++pass)
         for (int row = 0; row < reading.image.height; ++row) {
+            check_wanted(reading.stop);
             png_read_row(reading.png, reading.image.pixel(0, row), nullptr);
             if (pass == reading.passes) reading.whole_rows = row + 1;
         }
@@ -75,8 +77,8 @@ bool read_rows(Reading& reading) {
 
 }  // namespace
 
-Image decode_png(Bytes bytes) {
-    Reading reading(bytes);
+Image decode_png(Bytes bytes, const std::stop_token& stop) {
+    Reading reading(bytes, stop);
     reading.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading, on_error, on_warning);
     if (reading.png) reading.info = png_create_info_struct(reading.png);
     if (!reading.info) throw std::bad_alloc();

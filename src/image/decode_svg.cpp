@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <string>
 #include <vector>
 
@@ -57,9 +58,18 @@ public:
     const int number;
 };
 
+/// Waits until the program has ended, by itself or killed because nobody wants its result. It keeps its number for now:
+/// killed later, that might be another program's.
+void wait_for(pid_t child, const std::stop_token& stop) {
+    const std::stop_callback abandon(stop, [child] { kill(child, SIGKILL); });
+    siginfo_t ended{};
+    while (waitid(P_PID, id_t(child), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
+    }
+}
+
 /// The exit status as of waitpid. Throws if the program cannot be started.
 int run_limited(std::vector<std::string> words, int seconds, const MemoryFile& in, const MemoryFile& out,
-                const MemoryFile& err) {
+                const MemoryFile& err, const std::stop_token& stop) {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
@@ -76,6 +86,7 @@ int run_limited(std::vector<std::string> words, int seconds, const MemoryFile& i
     const rlimit time{rlim_t(seconds), rlim_t(seconds)}, memory{largest_decoding_memory, largest_decoding_memory};
     prlimit(child, RLIMIT_CPU, &time, nullptr);
     prlimit(child, RLIMIT_DATA, &memory, nullptr);
+    wait_for(child, stop);
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
@@ -83,13 +94,15 @@ int run_limited(std::vector<std::string> words, int seconds, const MemoryFile& i
 }
 
 /// Exactly of that size, or no larger than it with the proportions of the drawing.
-Image drawn(Bytes bytes, int seconds, int width, int height, bool keep_proportions) {
+Image drawn(Bytes bytes, int seconds, int width, int height, bool keep_proportions, const std::stop_token& stop) {
+    check_wanted(stop);
     const MemoryFile svg, png, complaints;
     svg.put(bytes);
     std::vector<std::string> words{"rsvg-convert", "--format=png", "--width=" + std::to_string(width),
                                    "--height=" + std::to_string(height)};
     if (keep_proportions) words.push_back("--keep-aspect-ratio");
-    const int status = run_limited(words, seconds, svg, png, complaints);
+    const int status = run_limited(words, seconds, svg, png, complaints, stop);
+    check_wanted(stop);
     if (WIFSIGNALED(status))
         throw InputError("which takes more than " + std::to_string(seconds) + " s or " +
                          memory_text(double(largest_decoding_memory)) + " to draw");
@@ -97,20 +110,20 @@ Image drawn(Bytes bytes, int seconds, int width, int height, bool keep_proportio
         const std::vector<std::uint8_t> said = complaints.contents();
         fail_decoding(std::string(said.begin(), said.end()).c_str());
     }
-    return decode_png(png.contents());
+    return decode_png(png.contents(), stop);
 }
 
 }  // namespace
 
-Image draw_svg(Bytes bytes, int seconds) {
-    const Image fitting = drawn(bytes, seconds, svg_longest_side, svg_longest_side, true);
+Image draw_svg(Bytes bytes, int seconds, const std::stop_token& stop) {
+    const Image fitting = drawn(bytes, seconds, svg_longest_side, svg_longest_side, true, stop);
     if (fitting.width == fitting.height) return fitting;
     // Its shorter side may end within a pixel, whose edge would be half transparent: whole pixels the second time.
-    return drawn(bytes, seconds, fitting.width, fitting.height, false);
+    return drawn(bytes, seconds, fitting.width, fitting.height, false, stop);
 }
 
-Image decode_svg(Bytes bytes) {
-    return draw_svg(bytes, longest_drawing);
+Image decode_svg(Bytes bytes, const std::stop_token& stop) {
+    return draw_svg(bytes, longest_drawing, stop);
 }
 
 }  // namespace drapeau

@@ -6,6 +6,7 @@
 #include <webp/decode.h>
 #include <webp/demux.h>
 
+#include <algorithm>
 #include <memory>
 #include <new>
 
@@ -31,7 +32,7 @@ struct Frame {
 
 }  // namespace
 
-Image decode_webp(Bytes bytes) {
+Image decode_webp(Bytes bytes, const std::stop_token& stop) {
     const WebPData data{bytes.data(), bytes.size()};
     WebPDemuxState state = WEBP_DEMUX_PARSE_ERROR;
     const std::unique_ptr<WebPDemuxer, Delete> demuxer(WebPDemuxPartial(&data, &state));
@@ -57,7 +58,14 @@ Image decode_webp(Bytes bytes) {
     const std::unique_ptr<WebPIDecoder, Delete> decoder(WebPIDecode(nullptr, 0, &config));
     if (!decoder) throw std::bad_alloc();
 
-    const VP8StatusCode status = WebPIAppend(decoder.get(), at.fragment.bytes, at.fragment.size);
+    // Piece by piece, so that it can be abandoned.
+    constexpr std::size_t piece = 256u << 10;  // bytes
+    VP8StatusCode status = VP8_STATUS_SUSPENDED;
+    for (std::size_t given = 0; given < at.fragment.size && status == VP8_STATUS_SUSPENDED;) {
+        check_wanted(stop);
+        given = std::min(at.fragment.size, given + piece);
+        status = WebPIUpdate(decoder.get(), at.fragment.bytes, given);
+    }
     if (status == VP8_STATUS_OK) return image;
     if (status == VP8_STATUS_OUT_OF_MEMORY) throw std::bad_alloc();
     if (status != VP8_STATUS_SUSPENDED && status != VP8_STATUS_NOT_ENOUGH_DATA) fail_decoding(nullptr);

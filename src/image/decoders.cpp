@@ -6,6 +6,10 @@
 
 namespace drapeau {
 
+void check_wanted(const std::stop_token& stop) {
+    if (stop.stop_requested()) throw Abandoned();
+}
+
 void check_memory(std::int64_t width, std::int64_t height, double bytes_per_pixel) {
     const double bytes = double(width) * double(height) * bytes_per_pixel;
     if (bytes > double(largest_decoding_memory))

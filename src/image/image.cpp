@@ -57,6 +57,12 @@ Image shrunk_to(Image image, int side) {
     return small;
 }
 
+bool has_holes(const Image& image) {
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+        if (image.rgba[i] < 128) return true;
+    return false;
+}
+
 Image turned(Image image, int orientation) {
     if (orientation < 2 || orientation > 8) return image;
     const bool transposed = orientation >= 5;

@@ -26,6 +26,9 @@ Image blank_image(int width, int height);
 /// transparent has no colour to give.
 Image shrunk_to(Image image, int side);
 
+/// Whether some pixel is more transparent than opaque.
+bool has_holes(const Image& image);
+
 /// The image as it is meant to be seen, by its EXIF orientation: 1 to 8; anything else leaves it as it is.
 Image turned(Image image, int orientation);
 

@@ -4,6 +4,7 @@
 #include "image/file_kind.hpp"
 #include "text.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <new>
 #include <string>
@@ -13,7 +14,7 @@ namespace drapeau {
 
 namespace {
 
-std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file) {
+std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file, const std::stop_token& stop) {
     std::error_code failure;
     const auto status = std::filesystem::status(file, failure);
     if (!std::filesystem::exists(status)) throw InputError("no such image");
@@ -28,28 +29,34 @@ std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     if (!in) throw InputError("cannot be read (no permission?)");
     std::vector<std::uint8_t> bytes(size);
-    in.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(size));
-    bytes.resize(std::size_t(in.gcount()));
+    constexpr std::size_t piece = 4u << 20;  // bytes
+    std::size_t there = 0;
+    while (in && there < bytes.size()) {
+        check_wanted(stop);
+        in.read(reinterpret_cast<char*>(&bytes[there]), std::streamsize(std::min(piece, bytes.size() - there)));
+        there += std::size_t(in.gcount());
+    }
+    bytes.resize(there);
     return bytes;
 }
 
 }  // namespace
 
-Image decode_image(std::span<const std::uint8_t> bytes) {
+Image decode_image(std::span<const std::uint8_t> bytes, const std::stop_token& stop) {
     const FileKind kind = file_kind(bytes);
     if (!kind.decode)
         throw InputError(std::string(kind.name) + ", which cannot be read; PNG, JPEG, WebP, SVG, GIF and BMP can");
     try {
-        return shrunk_to(kind.decode(bytes), largest_kept_side);
+        return shrunk_to(kind.decode(bytes, stop), largest_kept_side);
     } catch (const InputError& wrong) {
         throw InputError(std::string(kind.name) + ", " + wrong.what());
     }
 }
 
-Image load_image(const std::filesystem::path& file) {
+Image load_image(const std::filesystem::path& file, const std::stop_token& stop) {
     const std::string name = one_line(file.string(), 1000);
     try {
-        return decode_image(read_bytes(file));
+        return decode_image(read_bytes(file, stop), stop);
     } catch (const InputError& wrong) {
         throw InputError(name + ": " + wrong.what());
     } catch (const std::bad_alloc&) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <stop_token>
 
 namespace drapeau {
 
@@ -17,10 +18,14 @@ inline constexpr std::uintmax_t largest_image_file = 256u << 20;    // bytes
 inline constexpr int largest_kept_side = 4096;  // pixels; larger images are averaged down, a flag shows no more
 inline constexpr int svg_longest_side = 2048;   // pixels; an SVG has no pixels of its own
 
-/// Throws InputError naming the file and what is wrong with it, also when memory runs out.
-Image load_image(const std::filesystem::path& file);
+/// Thrown where nobody wants the image any more.
+struct Abandoned {};
+
+/// Throws InputError naming the file and what is wrong with it, also when memory runs out. Throws Abandoned soon after
+/// `stop` is asked to stop.
+Image load_image(const std::filesystem::path& file, const std::stop_token& stop = {});
 
 /// The same for a file's bytes; the error does not name the file. Throws std::bad_alloc too.
-Image decode_image(std::span<const std::uint8_t> bytes);
+Image decode_image(std::span<const std::uint8_t> bytes, const std::stop_token& stop = {});
 
 }  // namespace drapeau

@@ -39,7 +39,9 @@ Plan plan_for(const Scene& scene, double seconds, const std::string& given_secon
     }
     if (const auto batches = whole_count(seconds, batch_seconds)) return {*batches, 0, {}};
     // Equal steps, none longer than the automatic one.
-    const Simulation automatic(scene);
+    Scene flat = scene;  // how it starts takes time and does not matter for the step
+    flat.flag.start = Start::flat;
+    const Simulation automatic(flat);
     const double steps = std::ceil(seconds / automatic.dt()), dt = seconds / steps;
     if (constexpr double least = scene_fields::dt_range.lowest; dt < least)
         throw InputError("time.dt = \"auto\": " + std::string(name_of(scene.time.method)) + " needs steps of " +

@@ -86,6 +86,19 @@ std::optional<Divergence> carry_out(const Plan& plan, Simulation& simulation, Co
     return divergence;
 }
 
+/// The simulation at its start, which may take a while to find.
+Simulation settled(const Scene& scene) {
+    constexpr double worth_a_word = 1.0;  // s
+    const double start = processor_seconds();
+    Simulation simulation(scene);
+    const double passed = processor_seconds() - start;
+    if (passed > worth_a_word)
+        complain("drapeau-lab",
+                 "flag.start = \"hanging\": it took " + rounded(passed, 2) + " s to let the flag settle");
+    if (!simulation.start_remark().empty()) complain("drapeau-lab", simulation.start_remark());
+    return simulation;
+}
+
 /// Digits that read back to the same bits in the precision of the run.
 std::string state_number(double value, Precision precision) {
     const auto narrow = static_cast<float>(value);
@@ -229,7 +242,7 @@ int run(const RunOptions& options) {
     Scene planned = scene;
     planned.time.dt = plan.dt;
     if (plan.precision) planned.time.precision = *plan.precision;
-    Simulation simulation(planned);
+    Simulation simulation = settled(planned);
     if (plan.dt) simulation.use_exact_dt();
     if (!options.force) check_duration(scene, simulation, seconds);
     simulation.use_threads(options.threads);

@@ -1,6 +1,7 @@
 #include "run/simulation.hpp"
 
 #include "error.hpp"
+#include "run/carry_over.hpp"
 #include "run/divergence.hpp"
 #include "run/start_state.hpp"
 #include "run/step_choice.hpp"
@@ -46,6 +47,7 @@ struct Simulation::Run {
     PassReport limit;                // of the steps last asked for
     Readings readings;               // the newest
     long long readings_batches = 0;  // batches since then
+    std::string start_remark;
 
     Run(const Scene& wanted, const State<double>& state, double time, long long steps, bool exact_dt)
         : scene(wanted), exact(exact_dt) {
@@ -197,9 +199,11 @@ private:
     long long batch_end_ = 0;     // its end
 };
 
-Simulation::Simulation(const Scene& scene) {
+Simulation::Simulation(const Scene& scene, const std::atomic<bool>* abandon) {
     check_scene(scene);
-    run_ = std::make_unique<Run>(scene, start_state(scene), 0.0, 0, false);
+    StartState start = start_state(scene, abandon);
+    run_ = std::make_unique<Run>(scene, start.state, 0.0, 0, false);
+    run_->start_remark = std::move(start.remark);
 }
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -212,16 +216,18 @@ const Model& Simulation::model() const {
     return run_->engine->model();
 }
 
-void Simulation::change(const Scene& scene) {
+void Simulation::change(const Scene& scene, const std::atomic<bool>* abandon) {
     check_scene(scene);
     if (same_structure(run_->scene, scene)) {
         run_->refill(scene);
         return;
     }
-    const State<double> state = goes_on(run_->scene.flag, scene.flag)
-                                    ? carried_over(run_->engine->state(run_->now.time()), scene)
-                                    : start_state(scene);
-    auto next = std::make_unique<Run>(scene, state, run_->now.time(), run_->now.steps, run_->exact);
+    const StartState start =
+        goes_on(run_->scene.flag, scene.flag)
+            ? StartState{carried_over(run_->engine->state(run_->now.time()), scene), run_->start_remark}
+            : start_state(scene, abandon);
+    auto next = std::make_unique<Run>(scene, start.state, run_->now.time(), run_->now.steps, run_->exact);
+    next->start_remark = start.remark;
     next->use_threads(run_->threads);
     run_ = std::move(next);
 }
@@ -283,6 +289,10 @@ std::string Simulation::precision_remark() const {
     const double unit = float_velocity_unit(run.engine->reach(), run.now.clock.dt);
     return "at steps of " + quantity(run.now.clock.dt, "s") + " float knows velocities to " + quantity(unit, "m/s", 2) +
            " only, and masses move too far or not at all: choose double";
+}
+
+const std::string& Simulation::start_remark() const {
+    return run_->start_remark;
 }
 
 void Simulation::snapshot(Snapshot& into) const {

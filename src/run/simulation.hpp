@@ -52,8 +52,10 @@ struct Divergence {
 
 class Simulation {
 public:
-    /// Builds the start state. Throws InputError (see check_scene, and "auto" where the method has no stable step).
-    explicit Simulation(const Scene& scene);
+    /// Builds the start state. Throws InputError (see check_scene, and "auto" where the method has no stable step). A
+    /// flag that starts hanging may take some seconds to settle; if `abandon` is set meanwhile, throws
+    /// SettlingAbandoned (settle.hpp).
+    explicit Simulation(const Scene& scene, const std::atomic<bool>* abandon = nullptr);
     ~Simulation();
     Simulation(Simulation&&) noexcept;
     Simulation& operator=(Simulation&&) noexcept;
@@ -63,8 +65,8 @@ public:
 
     /// Takes new settings over between batches; position, velocity and time go on. Strengths are refilled in place; a
     /// new grid or size is interpolated in the flag's own coordinates. Throws InputError and changes nothing if the
-    /// scene is impossible.
-    void change(const Scene& scene);
+    /// scene is impossible. Where the flag must start anew it settles as above.
+    void change(const Scene& scene, const std::atomic<bool>* abandon = nullptr);
 
     /// Advances 1/60 s in steps_per_batch() equal steps. If the run diverges it is put back to the last good state.
     /// With an automatic step, energy created by the method takes the run back and repeats it with a smaller step
@@ -95,6 +97,9 @@ public:
     Precision precision() const;  // in use: double where float could not honour an automatic step
     /// Why that is not the scene's, or how little of the motion float honours at a given step; empty where all is well.
     std::string precision_remark() const;
+
+    /// How far a flag that starts hanging was from rest, where settling it took too much work; empty where all is well.
+    const std::string& start_remark() const;
 
     void snapshot(Snapshot& into) const;
     Readings readings() const;

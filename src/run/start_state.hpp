@@ -1,15 +1,21 @@
-// Start state: the masses of a scene at time zero, and those of a running flag carried over to another grid.
+// Start state: the masses of a scene at time zero.
 #pragma once
 
-#include "run/engine.hpp"
+#include "drapeau/state.hpp"
+#include "scene.hpp"
+
+#include <atomic>
+#include <string>
 
 namespace drapeau {
 
-/// Flat, hanging (settled without wind) or crumpled, as the scene says; at rest.
-State<double> start_state(const Scene& scene);
+struct StartState {
+    State<double> state;  // at rest
+    std::string remark;   // what it is not that it should be; empty where all is well
+};
 
-/// The masses of `old` seen on the scene's grid, by interpolation in the flag's own coordinates. Held masses stand
-/// exactly where the start state has them.
-State<double> carried_over(const State<double>& old, const Scene& scene);
+/// Flat, hanging (settled without wind) or crumpled, as the scene says. Throws SettlingAbandoned (settle.hpp) soon
+/// after `abandon` is set.
+StartState start_state(const Scene& scene, const std::atomic<bool>* abandon = nullptr);
 
 }  // namespace drapeau

@@ -10,26 +10,39 @@ void draw_triangles(const GridTextures& grid) {
     glBindVertexArray(0);
 }
 
+void bind(const FlagTexture& texture) {
+    glActiveTexture(GL_TEXTURE3);
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+}
+
+bool is_cut_out(const Picture& picture, const FlagTexture& texture) {
+    return picture.texture && picture.cut_out && texture && texture.has_holes();
+}
+
 }  // namespace
 
 void ClothPass::draw(const GridTextures& grid, const Picture& picture, const FlagTexture& texture) const {
     if (grid.index_count() == 0) return;
-    const bool textured = picture.texture && texture;
-    cloth_.use();
-    cloth_.set("grid", glm::ivec2(grid.columns(), grid.rows()));
-    cloth_.set("textured", textured ? 1 : 0);
-    cloth_.set("dimmed", picture.forces ? 1.0f : 0.0f);
-    if (textured) {
-        glActiveTexture(GL_TEXTURE3);
-        glBindTexture(GL_TEXTURE_2D, texture.id());
-    }
+    const bool textured = picture.texture && texture, cut_out = is_cut_out(picture, texture);
+    const Shader& shader = cut_out ? cut_out_ : cloth_;
+    shader.use();
+    shader.set("grid", glm::ivec2(grid.columns(), grid.rows()));
+    shader.set("textured", textured ? 1 : 0);
+    shader.set("dimmed", picture.forces ? 1.0f : 0.0f);
+    if (textured) bind(texture);
+    // Of a pixel's samples as many as the outline leaves of it.
+    if (cut_out) glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     draw_triangles(grid);
+    glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
 }
 
-void ClothPass::draw_shadow(const GridTextures& grid) const {
+void ClothPass::draw_shadow(const GridTextures& grid, const Picture& picture, const FlagTexture& texture) const {
     if (grid.index_count() == 0) return;
-    shadow_.use();
-    shadow_.set("grid", glm::ivec2(grid.columns(), grid.rows()));
+    const bool cut_out = is_cut_out(picture, texture);
+    const Shader& shader = cut_out ? cut_out_shadow_ : shadow_;
+    shader.use();
+    shader.set("grid", glm::ivec2(grid.columns(), grid.rows()));
+    if (cut_out) bind(texture);
     draw_triangles(grid);
 }
 

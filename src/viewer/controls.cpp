@@ -59,10 +59,10 @@ bool named_key(Key key, Session& session, Camera& camera) {
             session.wishes.step = true;
             return true;
         case Key::escape:
-            if (session.help_shown)
-                session.help_shown = false;
-            else
-                session.message.text.clear();
+            close_one(session);
+            return true;
+        case Key::enter:
+            agree(session);
             return true;
         case Key::other:
             break;

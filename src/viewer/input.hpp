@@ -9,7 +9,21 @@
 namespace drapeau {
 
 /// Keys that do something whatever the keyboard's layout; of others only their letter and what they type counts.
-enum class Key { other, space, escape, f1, home, left, right, up, down, keypad_add, keypad_subtract, keypad_decimal };
+enum class Key {
+    other,
+    space,
+    escape,
+    enter,
+    f1,
+    home,
+    left,
+    right,
+    up,
+    down,
+    keypad_add,
+    keypad_subtract,
+    keypad_decimal
+};
 enum class MouseButton { left, right, middle, other };
 
 struct InputEvent {

@@ -3,6 +3,7 @@
 #include "error.hpp"
 #include "image/image_file.hpp"
 #include "output_file.hpp"
+#include "saving.hpp"
 #include "scene_fields.hpp"
 #include "scene_file.hpp"
 
@@ -12,14 +13,15 @@ namespace drapeau {
 
 namespace fs = std::filesystem;
 
-LoadedScene load_scene(const std::string& path_or_name, std::span<const Assignment> assignments) {
+LoadedScene load_scene(const std::string& path_or_name, std::span<const Assignment> assignments,
+                       const std::stop_token& stop) {
     LoadedScene loaded;
     loaded.file = find_scene(path_or_name);
     loaded.scene = read_scene(loaded.file, assignments);
     if (loaded.scene.flag.texture.empty()) return loaded;
     try {
         const fs::path file = find_texture(loaded.scene.flag.texture, loaded.file);
-        loaded.image = load_image(file);
+        loaded.image = load_image(file, stop);
         loaded.texture_file = file;
     } catch (const InputError& fault) {
         loaded.fault = fault.what();
@@ -42,13 +44,13 @@ std::string texture_name(const fs::path& image, const fs::path& folder) {
     return scene_fields::is_allowed(name, {}) ? name : "";
 }
 
-Saved save_scene(Scene scene, const std::string& path, const fs::path& image) {
-    if (path.empty()) throw InputError("a scene needs a file name to be saved, for example my-flag.toml");
-    fs::path file = path;
-    if (!file.has_extension()) file += ".toml";
-    file = fs::absolute(file);
+Saved save_scene(Scene scene, const fs::path& path, const fs::path& image) {
+    const fs::path file = scene_path(path.string());
     if (!image.empty()) scene.flag.texture = texture_name(image, file.parent_path());
-    write_file(file.string(), [&](const Append& append) { append(write_scene(scene)); });
+    const std::string text = write_scene(scene);
+    if (parse_scene(text, file.string()) != scene)
+        throw InputError(file.string() + ": not saved, for the file would not open to the same scene");
+    write_file(file.string(), [&](const Append& append) { append(text); });
     return {file, !image.empty() && scene.flag.texture.empty()};
 }
 

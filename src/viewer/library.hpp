@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,9 @@ struct LoadedScene {
 };
 
 /// Throws InputError where the scene cannot be read. An image that cannot be is told in `fault`: the flag flies plain.
-LoadedScene load_scene(const std::string& path_or_name, std::span<const Assignment> assignments = {});
+/// Throws Abandoned soon after `stop` is asked to stop.
+LoadedScene load_scene(const std::string& path_or_name, std::span<const Assignment> assignments = {},
+                       const std::stop_token& stop = {});
 
 /// How a scene file in `folder` should name this image: shipped ones by name, those in the folder or below it by the
 /// way from there, so that both may be moved together, others by their full path. Empty if a scene file cannot hold it.
@@ -35,7 +38,8 @@ struct Saved {
 };
 
 /// Writes the scene as TOML, whole or not at all, naming `image` (empty: as the scene has it) as found from there.
-Saved save_scene(Scene scene, const std::string& path, const std::filesystem::path& image = {});
+/// Throws InputError, having written nothing, also if the file would not open again to the same scene.
+Saved save_scene(Scene scene, const std::filesystem::path& file, const std::filesystem::path& image = {});
 
 /// The first of drapeau-001.png, drapeau-002.png ... in the working directory that is not there yet.
 std::filesystem::path free_screenshot_name();

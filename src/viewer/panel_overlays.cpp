@@ -34,7 +34,7 @@ constexpr const char* keys[][2] = {{"Left drag", "turn"},
                                    {"H", "hide, show the panel"},
                                    {"P", "screenshot"},
                                    {"F1", "this list"},
-                                   {"Esc", "close what is open"},
+                                   {"Esc", "close what is open, or cancel"},
                                    {"Ctrl Q", "quit"},
                                    {"Drop a file", "an image or a scene"}};
 
@@ -43,15 +43,50 @@ void claim_window(Session& session) {
     session.claimed.push_back({low.x, low.y, low.x + size.x, low.y + size.y});
 }
 
+void place_at_top(const Area& view) {
+    ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, view.y0 + 14.0f}, ImGuiCond_Always, {0.5f, 0.0f});
+}
+
+/// Why the run stands, in a few words.
+std::string stopped_because(const Status& status) {
+    if (!status.divergence) return "Stopped: the simulation could not go on";
+    const Divergence& divergence = *status.divergence;
+    const std::string when = "Stopped at t = " + quantity(divergence.time, "s", 3) + ": ";
+    switch (divergence.cause) {
+        case Divergence::Cause::past_the_limit:
+            return when + "the step is above the stability limit";
+        case Divergence::Cause::energy_created:
+            return when + "the step created energy";
+        case Divergence::Cause::energy_lost:
+            return when + "the step lost energy";
+        case Divergence::Cause::beyond_precision:
+            break;
+    }
+    return when + "forces beyond the precision";
+}
+
+/// In the place of a closed message, as long as the run stands.
+void draw_standstill(Session& session, Widgets& widgets) {
+    place_at_top(session.view_area);
+    ImGui::Begin("standstill", nullptr, box_flags);
+    if (widgets.button("Stopped", "Opens the message that says why the run stopped, and what helps.", 0.0f,
+                       stopped_because(session.status).c_str()))
+        say_why_it_stands(session);
+    claim_window(session);
+    ImGui::End();
+}
+
 }  // namespace
 
 void draw_message(Session& session, Widgets& widgets) {
     Message& message = session.message;
-    if (message.text.empty()) return;
-    const Area& view = session.view_area;
+    if (message.text.empty()) {
+        if (session.status.stands()) draw_standstill(session, widgets);
+        return;
+    }
     const float scale = ImGui::GetFontSize() / usual_font;
-    const float width = std::min(620.0f * scale, view.width() - 24.0f * scale);
-    ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, view.y0 + 14.0f * scale}, ImGuiCond_Always, {0.5f, 0.0f});
+    const float width = std::min(620.0f * scale, session.view_area.width() - 24.0f * scale);
+    place_at_top(session.view_area);
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {width, 1e4f});
     ImGui::Begin("message", nullptr, box_flags);
     const ImVec4 color = message.trouble ? ImVec4(1.0f, 0.72f, 0.45f, 1.0f) : ImVec4(0.66f, 0.90f, 0.72f, 1.0f);
@@ -75,6 +110,40 @@ void draw_message(Session& session, Widgets& widgets) {
         if (message.seconds_left <= 0.0) message.text.clear();
     }
     if (closed) message.text.clear();
+}
+
+void draw_question(Session& session, Widgets& widgets) {
+    if (!session.question) return;
+    const Area& view = session.view_area;
+    const float scale = ImGui::GetFontSize() / usual_font;
+    const float width = std::min(520.0f * scale, view.width() - 24.0f * scale);
+    ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, (view.y0 + view.y1) / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {width, 1e4f});
+    ImGui::Begin("question", nullptr, box_flags);
+    ImGui::PushTextWrapPos(width - 30.0f);
+    ImGui::TextUnformatted(printable(session.question->text).c_str());
+    ImGui::PopTextWrapPos();
+    const bool agreed = widgets.button("Overwrite", "What the file holds is replaced. Key Enter");
+    ImGui::SameLine();
+    const bool declined = widgets.button("Cancel", "Nothing is saved, and the file stays as it is. Key Esc");
+    claim_window(session);
+    ImGui::End();
+    if (agreed) agree(session);
+    if (declined) session.question.reset();
+}
+
+void draw_activity(const Session& session) {
+    const Status& status = session.status;
+    std::string text;
+    if (!status.loading.empty()) text = "Loading " + printable(status.loading) + "...";
+    if (status.settling) text += std::string(text.empty() ? "" : "\n") + "Settling...";
+    if (text.empty()) return;
+    const Area& view = session.view_area;
+    const float line = ImGui::GetTextLineHeight();  // above the scale of the force colours
+    ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, view.y1 - 6.0f * line}, ImGuiCond_Always, {0.5f, 1.0f});
+    ImGui::Begin("activity", nullptr, box_flags | ImGuiWindowFlags_NoInputs);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::End();
 }
 
 void draw_help(Session& session, Widgets& widgets) {

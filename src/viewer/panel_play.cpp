@@ -31,18 +31,20 @@ void choose_view(Session& session, Widgets& widgets) {
     };
     toggle(&ViewSettings::texture);
     ImGui::SameLine(half);
+    ImGui::BeginDisabled(!session.status.image_has_holes);
+    toggle(&ViewSettings::cut_out);
+    ImGui::EndDisabled();
+    toggle(&ViewSettings::cloth);
+    ImGui::SameLine(half);
+    toggle(&ViewSettings::masses);
     toggle(&ViewSettings::springs);
-
+    ImGui::SameLine(half);
     bool diagonals = session.scene.springs.diagonal_stiffness.has_value();
     if (widgets.toggle(
             "Diagonals", diagonals,
             "Diagonal springs, simulated and drawn. They resist shear and double the number of springs. Key D"))
         toggle_diagonals(session);
-    ImGui::SameLine(half);
     toggle(&ViewSettings::forces);
-    toggle(&ViewSettings::masses);
-    ImGui::SameLine(half);
-    toggle(&ViewSettings::cloth);
 }
 
 }  // namespace

@@ -62,6 +62,10 @@ std::vector<Remark> remarks_on(const Session& session) {
         remarks.push_back({"Precision remark", as_sentence(s.precision_remark),
                            "A float holds about seven digits of a position. A step so small that a mass moves by less "
                            "than the last of them loses the motion."});
+    if (!s.start_remark.empty())
+        remarks.push_back({"Start remark", as_sentence(s.start_remark),
+                           "A flag that starts hanging is let settle first, within one to three seconds of work. A "
+                           "coarser grid or softer springs need less."});
     constexpr double slow = 3.0;
     if (s.clock && s.times_slower() > slow) {
         const bool forward = session.scene.time.method == method_id<ForwardEuler>;

@@ -88,6 +88,8 @@ void draw_panels(Session& session, PanelMemory& memory, UiMap& map) {
     if (session.scene.view.forces) draw_legend(session);
     draw_message(session, widgets);
     draw_help(session, widgets);
+    draw_question(session, widgets);
+    draw_activity(session);
 }
 
 }  // namespace drapeau

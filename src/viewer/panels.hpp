@@ -27,6 +27,8 @@ void draw_time_page(Session& session, PanelMemory& memory, Widgets& widgets);
 float readings_height(const Session& session);  // of what draw_readings shows
 void draw_readings(const Session& session, Widgets& widgets);
 void draw_message(Session& session, Widgets& widgets);
+void draw_question(Session& session, Widgets& widgets);
+void draw_activity(const Session& session);
 void draw_help(Session& session, Widgets& widgets);
 void draw_legend(const Session& session);
 

@@ -52,6 +52,7 @@ struct Picture {
     glm::vec3 eye{0.0f};
     bool cloth = true;
     bool texture = true;
+    bool cut_out = true;  // by the texture
     bool springs = false;
     bool forces = false;
     bool masses = false;

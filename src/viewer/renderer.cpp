@@ -21,7 +21,7 @@ void Renderer::draw_shadow(const Picture& picture, glm::vec2 size) {
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_TEST);
     backdrop_.begin_shadow();
-    if (picture.cloth) cloth_.draw_shadow(grid_);
+    if (picture.cloth) cloth_.draw_shadow(grid_, picture, texture_);
     solids_.draw_shadow(picture.stage);
     backdrop_.end_shadow();
 }

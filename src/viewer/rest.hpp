@@ -7,7 +7,7 @@ namespace drapeau {
 struct Activity {
     bool events = false;        // something happened to the window in this frame
     bool runs = false;          // simulated time passes
-    bool simulation = false;    // the simulation works on something, or has news
+    bool simulation = false;    // it works on something or has news, or a file is being read
     bool hidden = false;        // nobody sees the window
     bool typing = false;        // a text cursor blinks
     double message_left = 0.0;  // s until the message goes by itself; 0: it stays, or there is none

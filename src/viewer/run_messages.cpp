@@ -2,15 +2,7 @@
 
 namespace drapeau {
 
-namespace {
-
 using Cause = Message::Cause;
-
-void close_if(Message& message, Cause cause) {
-    if (message.cause == cause) message.text.clear();
-}
-
-}  // namespace
 
 RunMessages::Answer RunMessages::hear(const Moment& moment, long long wanted, Message& message) {
     hear_standstill(moment, message);
@@ -49,7 +41,8 @@ void RunMessages::hear_lowered(const Moment& moment, Message& message) {
     if (moment.lowered_because.empty() || moment.stands() || moment.revision == lowered_ || !message.text.empty())
         return;
     lowered_ = moment.revision;
-    message = {.text = as_sentence(moment.lowered_because), .trouble = false, .seconds_left = 10.0};
+    message = {
+        .text = as_sentence(moment.lowered_because), .trouble = false, .seconds_left = 10.0, .cause = Cause::lowered};
 }
 
 }  // namespace drapeau

@@ -1,6 +1,6 @@
-// RunMessages: what the window says of the run. A cause is told once, when it appears: closing its message closes it,
-// and a later message takes its place. A cause that comes again is told again, one that is gone takes its message
-// along. A lowered step is told once a scene.
+// RunMessages: what the window says of the run (message.hpp). A cause is told once, when it appears: closing its
+// message closes it, and a later message takes its place. A cause that comes again is told again, one that is gone
+// takes its message along. A lowered step is told once a scene.
 #pragma once
 
 #include "session.hpp"

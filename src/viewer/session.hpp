@@ -2,9 +2,9 @@
 #pragma once
 
 #include "camera.hpp"
+#include "message.hpp"
 #include "run/simulation.hpp"
 #include "scene.hpp"
-#include "text.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -20,21 +20,16 @@ struct Wishes {
     bool screenshot = false;
     bool reset_camera = false;
     bool use_safe_step = false;
-    std::optional<std::string> load_scene;    // a path or a shipped name
-    std::optional<std::string> load_texture;  // a path; empty: no image
-    std::optional<std::string> save_scene;    // a path
+    std::optional<std::string> load_scene;           // a path or a shipped name
+    std::optional<std::string> load_texture;         // a path; empty: no image
+    std::optional<std::string> save_scene;           // a path
+    std::optional<std::filesystem::path> overwrite;  // save the scene over this file
 };
 
-/// The message box: what went wrong or was done. Whatever is said later takes its place.
-struct Message {
-    enum class Cause { deed, refusal, standstill };
-    std::string text{};
-    bool trouble = true;
-    double seconds_left = 0.0;  // it goes by itself; 0: it stays until closed
-    Cause cause = Cause::deed;  // of what the user did, of a scene that was refused, of a run that stands
-
-    /// The text as the box shows it, whatever names it holds.
-    std::string shown() const { return printable(text); }
+/// A question that waits for an answer: whether a scene may be saved over a file.
+struct Question {
+    std::filesystem::path file;
+    std::string text;
 };
 
 /// What the panels show of the run.
@@ -50,6 +45,7 @@ struct Status {
     StableStep stability_limit;
     std::string lowered_because;        // why an automatic step is smaller than usual; empty where it is not
     std::string precision_remark;       // what float cannot honour; empty where all is well
+    std::string start_remark;           // how far a hanging start was from rest; empty where all is well
     std::optional<StretchLimit> limit;  // of the scene that runs
     double force_scale = 1.0;           // N
     bool clock = true;                  // false: wall-clock readings are not shown, so that pictures repeat
@@ -57,8 +53,14 @@ struct Status {
     double step_seconds = 0.0;      // wall-clock
     double frame_seconds = 0.0;     // wall-clock
     double flag_proportions = 0.0;  // of the texture, width / height; 0 without one
+    bool image_has_holes = false;   // parts that may be cut out
+
+    std::string loading;    // the name of a file that is being read; empty: none is
+    bool settling = false;  // a hanging flag is coming to rest before it starts
 
     bool stands() const { return divergence || !failure.empty(); }
+    /// Why the run stands, in full.
+    const std::string& standstill() const { return divergence ? divergence->message : failure; }
     /// Wall-clock time over simulated time, if steps followed each other without rest.
     double times_slower() const { return step_seconds * static_cast<double>(steps_per_batch) / batch_seconds; }
 };
@@ -67,7 +69,8 @@ struct Session {
     Scene scene;   // what the controls edit
     Scene origin;  // as it was loaded: what the controls go back to
     std::filesystem::path scene_file;
-    std::filesystem::path texture_file;  // of the image on the flag; empty: none
+    std::filesystem::path texture_file;              // of the image on the flag; empty: none
+    std::vector<std::filesystem::path> saved_files;  // scenes written by this session
     std::vector<std::string> scene_names;
     std::vector<std::filesystem::path> texture_files;
 
@@ -79,6 +82,7 @@ struct Session {
     bool narrow = false;        // the window has no room for the panel beside the flag
     bool help_shown = false;
     Message message;
+    std::optional<Question> question;
     Status status;
     Wishes wishes;
 
@@ -94,8 +98,29 @@ struct Session {
     }
 };
 
-inline void say(Session& session, const std::string& text, bool trouble) {
-    session.message = {.text = text, .trouble = trouble, .seconds_left = trouble ? 0.0 : 5.0};
+inline void say(Session& session, Message::Cause cause, const std::string& text, bool trouble) {
+    session.message = {.text = text, .trouble = trouble, .seconds_left = trouble ? 0.0 : 5.0, .cause = cause};
+}
+
+/// Opens the message of a run that stands.
+inline void say_why_it_stands(Session& session) {
+    say(session, Message::Cause::standstill, session.status.standstill(), true);
+}
+
+/// Closes what was opened last: a question, unanswered, before the list of keys and the message.
+inline void close_one(Session& session) {
+    if (session.question)
+        session.question.reset();
+    else if (session.help_shown)
+        session.help_shown = false;
+    else
+        session.message.text.clear();
+}
+
+/// Saves over the file that was asked about.
+inline void agree(Session& session) {
+    if (session.question) session.wishes.overwrite = session.question->file;
+    session.question.reset();
 }
 
 /// Diagonal springs off, or on as stiff as they last were.

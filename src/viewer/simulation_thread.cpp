@@ -1,6 +1,7 @@
 #include "simulation_thread.hpp"
 
 #include "error.hpp"
+#include "run/settle.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -107,6 +108,12 @@ bool SimulationThread::idle() const {
     return !busy_ && !change_ && batches_ == 0 && single_steps_ == 0 && !newest_ && !failure_new_;
 }
 
+bool SimulationThread::settling() const {
+    constexpr std::chrono::milliseconds a_moment(150);
+    const std::lock_guard lock(mutex_);
+    return settles_since_ && std::chrono::steady_clock::now() - *settles_since_ > a_moment;
+}
+
 bool SimulationThread::take(Moment& newest) {
     const std::lock_guard lock(mutex_);
     if (!newest_ && !failure_new_) return false;
@@ -130,32 +137,36 @@ void SimulationThread::work() {
         wanted_.wait(lock, [this] { return ending_ || change_ || batches_ > 0 || single_steps_ > 0; });
         if (ending_) return;
         busy_ = true;
-        std::optional<Change> change = std::exchange(change_, std::nullopt);
+        const std::optional<Change> change = std::exchange(change_, std::nullopt);
+        if (change && change->scene.flag.start == Start::hanging) settles_since_ = std::chrono::steady_clock::now();
         const bool single = !change && single_steps_ > 0;
         abandon_ = false;
         lock.unlock();
-        const bool advanced = carry_out(std::move(change), single);
+        const bool advanced = carry_out(change, single);
         lock.lock();
         if (now_.divergence || failed_)
             batches_ = single_steps_ = 0;
         else if (advanced)
             --(single ? single_steps_ : batches_);
+        settles_since_.reset();
         busy_ = false;
         finished_.notify_all();
     }
 }
 
 // Whatever goes wrong becomes a message; the program goes on. True if time advanced.
-bool SimulationThread::carry_out(std::optional<Change> change, bool single_step) {
+bool SimulationThread::carry_out(const std::optional<Change>& change, bool single_step) {
     bool advanced = false;
     try {
         // Readings of a few batches ago do while the flag plays, not where somebody looks at one moment.
         const bool fresh = change || single_step;
         if (change)
-            take_over(std::move(*change));
+            take_over(*change);
         else
             advanced = advance(single_step);
         publish(fresh || now_.divergence);
+    } catch (const SettlingAbandoned&) {
+        put_back(*change);
     } catch (const std::bad_alloc&) {
         fail("not enough memory to go on with this flag; fewer columns or rows need less");
     } catch (const std::exception& failure) {
@@ -167,14 +178,14 @@ bool SimulationThread::carry_out(std::optional<Change> change, bool single_step)
 }
 
 // A scene that is refused leaves the run as it was.
-void SimulationThread::take_over(Change change) {
+void SimulationThread::take_over(const Change& change) {
     try {
         if (change.from_start) {
-            Simulation next(change.scene);
+            Simulation next(change.scene, &abandon_);
             share_among(next, threads_);
             simulation_ = std::move(next);
         } else {
-            simulation_.change(change.scene);
+            simulation_.change(change.scene, &abandon_);
         }
     } catch (const std::bad_alloc&) {
         now_.refusal = refusal_for_lack_of_memory(change.scene.flag);
@@ -185,12 +196,18 @@ void SimulationThread::take_over(Change change) {
         now_.refused_revision = change.revision;
         return;
     }
-    now_.scene = std::move(change.scene);
+    now_.scene = change.scene;
     now_.revision = change.revision;
     now_.divergence.reset();
     now_.refusal.clear();
     now_.refused_revision = -1;
     failed_ = false;
+}
+
+/// A start that was abandoned for a newer change is one that the newer change still wants.
+void SimulationThread::put_back(const Change& change) {
+    const std::lock_guard lock(mutex_);
+    if (change_ && change.from_start) change_->from_start = true;
 }
 
 // False if it was abandoned for something that matters more.
@@ -214,6 +231,7 @@ void SimulationThread::publish(bool fresh) {
     now_.stability_limit = simulation_.stability_limit();
     now_.lowered_because = simulation_.lowered_because();
     now_.precision_remark = simulation_.precision_remark();
+    now_.start_remark = simulation_.start_remark();
     now_.kinds = kinds_of(simulation_.model());
     Moment moment = now_;
     const std::lock_guard lock(mutex_);

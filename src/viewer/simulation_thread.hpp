@@ -6,6 +6,7 @@
 #include "run/simulation.hpp"
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
@@ -24,6 +25,7 @@ struct Moment {
     StableStep stability_limit;            // of the closed bound
     std::string lowered_because;           // why an automatic step is smaller than usual; empty where it is not
     std::string precision_remark;          // what float cannot honour; empty where all is well
+    std::string start_remark;              // how far a hanging start was from rest; empty where all is well
     double step_seconds = 0.0;             // wall-clock of one step, averaged over the last batch
     SpringKinds kinds;                     // of springs, as they are drawn
     Scene scene;                           // the scene that runs
@@ -44,6 +46,7 @@ class SimulationThread {
 public:
     /// `threads` may share a step, whatever the scene becomes; it stays on one where the system gives no more.
     explicit SimulationThread(Simulation simulation, int threads = 1);
+    /// Ends promptly, whatever is under way.
     ~SimulationThread();
     SimulationThread(const SimulationThread&) = delete;
     SimulationThread& operator=(const SimulationThread&) = delete;
@@ -55,6 +58,7 @@ public:
 
     int backlog() const;        // batches asked for and not done
     bool idle() const;          // nothing is asked for, under way or new
+    bool settling() const;      // whether a flag that starts hanging has been coming to rest for a moment
     bool take(Moment& newest);  // false if nothing is new since the last call
     void wait();                // until all that was asked is done
 
@@ -67,8 +71,9 @@ private:
 
     void ask_change(const Scene& scene, long long revision, bool from_start);
     void work();
-    bool carry_out(std::optional<Change> change, bool single_step);
-    void take_over(Change change);
+    bool carry_out(const std::optional<Change>& change, bool single_step);
+    void take_over(const Change& change);
+    void put_back(const Change& change);
     bool advance(bool single_step);
     void publish(bool fresh);
     void fail(std::string_view why) noexcept;
@@ -84,6 +89,7 @@ private:
     int batches_ = 0;
     int single_steps_ = 0;
     bool busy_ = false;
+    std::optional<std::chrono::steady_clock::time_point> settles_since_;  // a start that may be hanging
     bool ending_ = false;
     std::atomic<bool> abandon_{false};  // the batch under way is not worth finishing
     std::optional<Moment> newest_;

@@ -26,6 +26,9 @@
 //   columns rows     of the masses drawn
 //   texture          path of the image on the flag, or nothing
 //   message          what the message box says, or nothing
+//   question         what the window asks before it does something, or nothing
+//   loading          the name of a file that is being read, or nothing
+//   settling         1 while a hanging flag comes to rest before it starts
 //   azimuth elevation  of the camera, degrees
 //   distance         of the camera from what it looks at, m
 //   target_x target_y target_z  what the camera looks at, m

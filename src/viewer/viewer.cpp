@@ -1,6 +1,7 @@
 #include "viewer.hpp"
 
 #include "image/image_file.hpp"
+#include "saving.hpp"
 #include "stage.hpp"
 
 #include "error.hpp"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <thread>
+#include <utility>
 
 namespace drapeau {
 
@@ -65,6 +67,12 @@ LoadedScene loaded_for(const Options& options) {
     return loaded;
 }
 
+/// What the window begins with: a hanging flag is flat until it has settled, which it does in sight.
+Simulation first_simulation(Scene scene, bool repeatable) {
+    if (!repeatable && scene.flag.start == Start::hanging) scene.flag.start = Start::flat;
+    return Simulation(scene);
+}
+
 // What the simulation cares for: a change of anything else is not worth its while.
 Scene physics_of(Scene scene) {
     scene.view = {};
@@ -85,7 +93,8 @@ Viewer::Viewer(const Options& options, LoadedScene loaded)
            options.frames > 0 ? 1.0f : pixels_per_unit(window_)),
       canvas_(options.width, options.height, samples),
       film_(options.film.empty() ? nullptr : std::make_unique<Film>(options.film, options.width, options.height, 60)),
-      simulation_(Simulation(loaded.scene), simulation_threads(std::thread::hardware_concurrency())) {
+      simulation_(first_simulation(loaded.scene, repeatable()),
+                  simulation_threads(std::thread::hardware_concurrency())) {
     if (!into_files(options)) window_.show(options.width, options.height, !options.size_given && !repeatable());
     session_.scene_names = shipped_scenes();
     session_.texture_files = shipped_pictures();
@@ -93,8 +102,9 @@ Viewer::Viewer(const Options& options, LoadedScene loaded)
     session_.status.clock = !repeatable();
     if (options.azimuth) camera_.azimuth = *options.azimuth;
     if (options.elevation) camera_.elevation = *options.elevation;
-    adopt(loaded);
+    adopt(std::move(loaded));
     sent_ = session_.scene;
+    if (sent_.flag.start == Start::hanging && !repeatable()) simulation_.restart(sent_, ++revision_);
     last_time_ = glfwGetTime();
 }
 
@@ -141,36 +151,79 @@ void Viewer::exchange() {
     wall_ += passed;
 
     load_wanted();
+    save_wanted();
+    use_safe_step();
     send_settings();
     if (session_.wishes.step && session_.paused) simulation_.ask_step();
-    session_.wishes = {
-        .screenshot = session_.wishes.screenshot, .load_scene = {}, .load_texture = {}, .save_scene = {}};
+    const bool screenshot = session_.wishes.screenshot;
+    session_.wishes = {};
+    session_.wishes.screenshot = screenshot;
     if (runs()) simulation_.ask_batches(repeatable() ? 1 : pace_.batches(passed, simulation_.backlog()));
     if (repeatable()) simulation_.wait();
     receive(passed);
 }
 
-// Files that cannot be used leave everything as it was, with a message.
 void Viewer::load_wanted() {
-    const Wishes wishes = session_.wishes;
-    try {
-        if (wishes.load_texture) {
-            const bool none = meant_path(*wishes.load_texture).empty();
-            const auto file = none ? std::filesystem::path() : find_picture(*wishes.load_texture);
-            set_image(file, none ? std::nullopt : std::optional(load_image(file)));
-            session_.scene.flag.texture = texture_name(file);
-            if (!none) session_.scene.view.texture = true;
-        }
-        if (wishes.load_scene) opening_ = load_scene(*wishes.load_scene);
-        if (wishes.save_scene) {
-            const Saved saved = save_scene(session_.scene, meant_path(*wishes.save_scene), session_.texture_file);
-            const char* without = " without its image: a scene file holds no such file name";
-            say(session_, "Saved " + saved.file.string() + (saved.without_image ? without : ""), saved.without_image);
-        }
-    } catch (const InputError& wrong) {
-        say(session_, wrong.what(), true);
+    const Wishes& wishes = session_.wishes;
+    if (wishes.load_texture && meant_path(*wishes.load_texture).empty()) {
+        loader_.forget_image();
+        wear({}, std::nullopt);
+    } else if (wishes.load_texture) {
+        loader_.load_image(*wishes.load_texture);
     }
-    if (wishes.load_scene && opening_) simulation_.restart(opening_->scene, ++revision_);
+    if (wishes.load_scene) loader_.load_scene(*wishes.load_scene);
+    if (repeatable()) loader_.wait();
+    // An image that was chosen after a scene waits until that is taken; another scene does not.
+    while (auto loaded = loader_.take(!opening_)) use(std::move(*loaded));
+    session_.status.loading = loader_.waiting_for();
+}
+
+// Files that cannot be used leave everything as it was, with a message.
+void Viewer::use(Loaded loaded) {
+    if (!loaded.fault.empty()) {
+        say(session_, loaded.is_scene ? Message::Cause::scene : Message::Cause::image, loaded.fault, true);
+    } else if (loaded.is_scene) {
+        opening_ = std::move(loaded.scene);
+        simulation_.restart(opening_->scene, ++revision_);
+    } else {
+        wear(loaded.file, std::move(loaded.image));
+        session_.scene.view.texture = true;
+    }
+}
+
+/// The image, or none, that was chosen for the flag.
+void Viewer::wear(const std::filesystem::path& file, std::optional<Image> image) {
+    set_image(file, std::move(image));
+    session_.scene.flag.texture = texture_name(file);
+}
+
+void Viewer::save_wanted() {
+    const Wishes& wishes = session_.wishes;
+    try {
+        if (wishes.overwrite) save(*wishes.overwrite);
+        if (!wishes.save_scene) return;
+        const auto file = scene_path(meant_path(*wishes.save_scene));
+        std::vector<std::filesystem::path> own = session_.saved_files;
+        own.push_back(session_.scene_file);
+        session_.question.reset();
+        if (const auto question = question_before_saving(file, own, session_.texture_file))
+            session_.question = {file, *question};
+        else
+            save(file);
+    } catch (const InputError& wrong) {
+        say(session_, Message::Cause::save, wrong.what(), true);
+    }
+}
+
+void Viewer::save(const std::filesystem::path& file) {
+    const Saved saved = save_scene(session_.scene, file, session_.texture_file);
+    session_.saved_files.push_back(saved.file);
+    const char* without = " without its image: a scene file holds no such file name";
+    say(session_, Message::Cause::save, "Saved " + saved.file.string() + (saved.without_image ? without : ""),
+        saved.without_image);
+}
+
+void Viewer::use_safe_step() {
     const auto& divergence = session_.status.divergence;
     if (session_.wishes.use_safe_step && divergence && divergence->safe_dt > 0.0)
         session_.scene.time.dt = divergence->safe_dt;
@@ -193,24 +246,28 @@ void Viewer::keep_proportions() {
         session_.scene.flag.width = session_.scene.flag.height * proportions;
 }
 
-void Viewer::adopt(const LoadedScene& loaded) {
+void Viewer::adopt(LoadedScene loaded) {
     session_.scene = session_.origin = loaded.scene;
     session_.scene_file = loaded.file;
     session_.diagonal_stiffness =
         loaded.scene.springs.diagonal_stiffness.value_or(0.5 * loaded.scene.springs.stiffness);
-    set_image(loaded.texture_file, loaded.image);
-    if (!loaded.fault.empty()) say(session_, loaded.fault, true);
+    session_.question.reset();  // it was about the scene before
+    close_if(session_.message, Message::Cause::scene);
+    set_image(loaded.texture_file, std::move(loaded.image));
+    if (!loaded.fault.empty()) say(session_, Message::Cause::image, loaded.fault, true);
     if (!loaded.fault.empty() && repeatable()) complain("drapeau", loaded.fault);
     window_.set_title("drapeau \xe2\x80\x93 " + printable(loaded.scene.name));
 }
 
-void Viewer::set_image(const std::filesystem::path& file, const std::optional<Image>& image) {
+void Viewer::set_image(const std::filesystem::path& file, std::optional<Image> image) {
+    session_.status.flag_proportions = image ? double(image->width) / double(image->height) : 0.0;
     if (image)
-        renderer_.texture().load(*image);
+        renderer_.texture().load(std::move(*image));
     else
         renderer_.texture().clear();
+    close_if(session_.message, Message::Cause::image);
     session_.texture_file = file;
-    session_.status.flag_proportions = image ? double(image->width) / double(image->height) : 0.0;
+    session_.status.image_has_holes = renderer_.texture().has_holes();
 }
 
 // A refused scene leaves the old one in place, on the panel too.
@@ -224,7 +281,7 @@ void Viewer::hear_of_run() {
         kept.flag.texture = session_.scene.flag.texture;
         session_.scene = sent_ = kept;
     } else if (answer == RunMessages::Answer::taken && opening_) {
-        adopt(*opening_);
+        adopt(std::move(*opening_));
         sent_ = session_.scene;
         camera_.reset();
         opening_.reset();
@@ -251,10 +308,12 @@ void Viewer::receive(double passed) {
         status.stability_limit = moment_.stability_limit;
         status.lowered_because = moment_.lowered_because;
         status.precision_remark = moment_.precision_remark;
+        status.start_remark = moment_.start_remark;
         status.limit = moment_.scene.limits.get<StretchLimit>();
         status.step_seconds = moment_.step_seconds;
         status.force_scale = force_scale_.newtons();
     }
+    status.settling = simulation_.settling();
     if (runs())
         pace_.observe(wall_, status.time);
     else

@@ -10,6 +10,7 @@
 #include "gui.hpp"
 #include "layout.hpp"
 #include "library.hpp"
+#include "loader.hpp"
 #include "options.hpp"
 #include "pace.hpp"
 #include "panels.hpp"
@@ -50,9 +51,14 @@ private:
     Picture picture() const;
 
     void load_wanted();
+    void use(Loaded loaded);
+    void wear(const std::filesystem::path& file, std::optional<Image> image);
+    void save_wanted();
+    void save(const std::filesystem::path& file);
+    void use_safe_step();
     void send_settings();
-    void adopt(const LoadedScene& loaded);
-    void set_image(const std::filesystem::path& file, const std::optional<Image>& image);
+    void adopt(LoadedScene loaded);
+    void set_image(const std::filesystem::path& file, std::optional<Image> image);
     void receive(double wall_seconds);
     void hear_of_run();
     void keep_proportions();
@@ -68,6 +74,7 @@ private:
     Renderer renderer_;
     std::unique_ptr<Film> film_;
     SimulationThread simulation_;
+    Loader loader_;
 
     Session session_;
     PanelMemory panel_memory_;

@@ -68,6 +68,7 @@ Picture Viewer::picture() const {
             .eye = camera_.eye(framing_, session_.view_area),
             .cloth = view.cloth,
             .texture = view.texture,
+            .cut_out = view.cut_out,
             .springs = view.springs,
             .forces = view.forces,
             .masses = view.masses,
@@ -121,7 +122,7 @@ Activity Viewer::activity() const {
     const Message& message = session_.message;
     return {.events = had_events_ || gui_.has_waiting_keys(),
             .runs = runs(),
-            .simulation = !simulation_.idle() || opening_,
+            .simulation = !simulation_.idle() || opening_ || !session_.status.loading.empty(),
             .hidden = hidden_,
             .typing = ImGui::GetIO().WantTextInput,
             .message_left = message.text.empty() ? 0.0 : message.seconds_left};
@@ -131,9 +132,9 @@ void Viewer::take_screenshot(const std::filesystem::path& file) {
     session_.wishes.screenshot = false;
     try {
         write_png(file, canvas_.read());
-        say(session_, "Saved " + std::filesystem::absolute(file).string(), false);
+        say(session_, Message::Cause::screenshot, "Saved " + std::filesystem::absolute(file).string(), false);
     } catch (const InputError& wrong) {
-        say(session_, wrong.what(), true);
+        say(session_, Message::Cause::screenshot, wrong.what(), true);
     }
 }
 
@@ -153,6 +154,9 @@ void Viewer::write_map() {
     map_.state("rows", status.rows);
     map_.state("texture", session_.texture_file.string());
     map_.state("message", session_.message.shown());
+    map_.state("question", session_.question ? printable(session_.question->text) : "");
+    map_.state("loading", printable(status.loading));
+    map_.state("settling", status.settling ? "1" : "0");
     map_.state("azimuth", double(camera_.azimuth));
     map_.state("elevation", double(camera_.elevation));
     map_.state("distance", double(camera_.distance(framing_, session_.view_area)));

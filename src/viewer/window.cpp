@@ -27,6 +27,9 @@ Key key_of(int code) {
             return Key::space;
         case GLFW_KEY_ESCAPE:
             return Key::escape;
+        case GLFW_KEY_ENTER:
+        case GLFW_KEY_KP_ENTER:
+            return Key::enter;
         case GLFW_KEY_F1:
             return Key::f1;
         case GLFW_KEY_HOME:

@@ -216,6 +216,7 @@ Control App::find(const std::string& label) {
 }
 
 void App::show(const std::string& label) {
+    settle();  // a page just opened lies where it stays only once it has been drawn
     const Point page = look().box("panel").at(0.5, 0.5);
     for (int notches = 0; !look().has(label); ++notches) {
         if (notches == 20) give_up("scrolling the page does not bring '" + label + "' into sight");

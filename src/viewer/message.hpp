@@ -1,0 +1,37 @@
+// Message: what the message box says. There is one box: whatever is said later takes its place, Esc and its button
+// close it, and news of a success go by themselves. When each cause's message appears and goes by itself:
+//
+//   cause       appears                                          goes
+//   image       an image cannot be loaded, a scene's own too     an image is loaded, or none is wanted
+//   scene       a scene cannot be opened                         a scene is opened
+//   save        a scene is saved, or cannot be                   the next one is (which says so in its place)
+//   screenshot  a screenshot is saved, or cannot be              the next one is
+//   refusal     the run refuses settings, which are taken back   other settings are taken
+//   standstill  the run stops                                    the run goes on; closed before that, a line in its
+//                                                                place says that the run stopped and opens it again
+//   lowered     an automatic step is lowered, once a scene       after some seconds
+#pragma once
+
+#include "text.hpp"
+
+#include <string>
+
+namespace drapeau {
+
+struct Message {
+    enum class Cause { image, scene, save, screenshot, refusal, standstill, lowered };
+    std::string text{};
+    bool trouble = true;
+    double seconds_left = 0.0;  // it goes by itself; 0: it stays until closed
+    Cause cause = Cause::image;
+
+    /// The text as the box shows it, whatever names it holds.
+    std::string shown() const { return printable(text); }
+};
+
+/// Ends a cause: its message goes, another stays.
+inline void close_if(Message& message, Message::Cause cause) {
+    if (message.cause == cause) message.text.clear();
+}
+
+}  // namespace drapeau
