@@ -12,8 +12,13 @@
 
 namespace drapeau {
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)  // inlined, what they add takes compilers minutes
+#define DRAPEAU_INLINE inline
+#define DRAPEAU_INLINE_LAMBDA
+#else
 #define DRAPEAU_INLINE [[gnu::always_inline]] inline
 #define DRAPEAU_INLINE_LAMBDA __attribute__((always_inline))
+#endif
 
 #if defined(__AVX512F__)
 constexpr std::size_t register_bytes = 64;
