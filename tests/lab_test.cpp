@@ -582,3 +582,17 @@ TEST_CASE("what float cannot honour is computed in double or refused, and that i
     CHECK(stiff.status == 2);
     CHECK(has(stiff.messages, "time.dt = \"auto\": forward-euler needs steps of"));
 }
+
+TEST_CASE("how long a hanging start took is said where it took long, and how far from rest it is") {
+    const Bench bench;
+    const std::string slow =
+        "[flag]\ncolumns = 200\nrows = 200\nattach = \"grommets\"\nstart = \"hanging\"\n"
+        "[springs]\nmass = 1e-5\nstiffness = 1000.0\ndiagonal_stiffness = 500.0\n[gravity]\n";
+    bench.write("slow.toml", slow);
+    const Outcome outcome = bench.run("run slow.toml --seconds 0");
+    CHECK(outcome.status == 0);
+    CHECK(has(outcome.messages, "flag.start = \"hanging\": it took "));
+    CHECK(has(outcome.messages, "the flag had not come to rest when it started"));
+    bench.write("quick.toml", slow + "acceleration = [0, 0, 0]\n");
+    CHECK(bench.run("run quick.toml --seconds 0").messages.empty());
+}

@@ -123,9 +123,11 @@ void draw_question(Session& session, Widgets& widgets) {
     ImGui::PushTextWrapPos(width - 30.0f);
     ImGui::TextUnformatted(printable(session.question->text).c_str());
     ImGui::PopTextWrapPos();
-    const bool agreed = widgets.button("Overwrite", "What the file holds is replaced. Key Enter");
+    const bool agreed =
+        widgets.button("Overwrite", "What the file holds is replaced. Key Enter", 0.0f, "Overwrite (Enter)");
     ImGui::SameLine();
-    const bool declined = widgets.button("Cancel", "Nothing is saved, and the file stays as it is. Key Esc");
+    const bool declined =
+        widgets.button("Cancel", "Nothing is saved, and the file stays as it is. Key Esc", 0.0f, "Cancel (Esc)");
     claim_window(session);
     ImGui::End();
     if (agreed) agree(session);
