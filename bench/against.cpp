@@ -4,8 +4,8 @@
 #include "compare.hpp"
 #include "median_interval.hpp"
 
-#include "error.hpp"
-#include "text.hpp"
+#include "io/error.hpp"
+#include "io/text.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -24,7 +24,7 @@ constexpr const char* default_filter = "^step/(45x30|64x64|128x128|256x256|512x5
 
 /// A child measures the machine's peaks first, so one of them measures some cases; the more, the farther the two
 /// measurements of a pair are apart.
-constexpr std::size_t most_cases_a_child = 8;
+constexpr std::size_t max_cases_a_child = 8;
 
 struct Program {
     std::string file, called;
@@ -80,7 +80,7 @@ using Group = std::vector<Pair*>;
 std::vector<Group> grouped(std::vector<Pair>& pairs) {
     std::vector<Group> groups;
     for (Pair& pair : pairs) {
-        if (groups.empty() || groups.back().size() == most_cases_a_child ||
+        if (groups.empty() || groups.back().size() == max_cases_a_child ||
             grid_of(*groups.back().front()) != grid_of(pair))
             groups.emplace_back();
         groups.back().push_back(&pair);

@@ -1,6 +1,6 @@
 #include "cases.hpp"
 
-#include "scene_file.hpp"
+#include "scene/file.hpp"
 
 #include <algorithm>
 #include <span>

@@ -1,7 +1,7 @@
 // Cases: what the benchmark times. One case is one kind of work on one grid.
 #pragma once
 
-#include "scene.hpp"
+#include "scene/scene.hpp"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "child.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 
 #include <cerrno>
 #include <cstring>

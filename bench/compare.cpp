@@ -1,6 +1,6 @@
 #include "compare.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -6,9 +6,9 @@
 #include "median_interval.hpp"
 #include "peers.hpp"
 
-#include "error.hpp"
-#include "output_file.hpp"
-#include "text.hpp"
+#include "io/error.hpp"
+#include "io/output_file.hpp"
+#include "io/text.hpp"
 
 #include <CLI/CLI.hpp>
 #include <benchmark/benchmark.h>
@@ -58,11 +58,11 @@ public:
 };
 
 /// Beyond this the smoke pass would need time and memory that a test should not take.
-constexpr long long most_masses_to_smoke = 512 * 512;
+constexpr long long max_masses_to_smoke = 512 * 512;
 
 void register_cases(Run& run) {
     for (const Case& c : all_cases()) {
-        if (run.options.smoke && (c.masses() > most_masses_to_smoke || c.threads > 1)) continue;
+        if (run.options.smoke && (c.masses() > max_masses_to_smoke || c.threads > 1)) continue;
         benchmark::RegisterBenchmark(c.name().c_str(),
                                      [&run, c](benchmark::State& state) {
                                          for (auto _ : state) {
@@ -145,7 +145,7 @@ int main(int count, char** arguments) {
             ->check(CLI::ExistingFile);
     app.add_option("--pairs", options.against.pairs,
                    "Runs of each program with --against (11); 20 give narrower intervals where the machine is busy")
-        ->check(CLI::Range(fewest_draws, 10000))
+        ->check(CLI::Range(min_draws, 10000))
         ->needs(against);
     smoke->excludes(json)->excludes(budget)->excludes(peers)->excludes(compare);
     compare->excludes(json)->excludes(budget)->excludes(peers);

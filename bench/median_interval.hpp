@@ -23,8 +23,8 @@ struct MedianInterval {
     double coverage;  // probability that [low, high] holds the true median; never less where draws can be equal
 };
 
-constexpr double least_coverage = 0.95;
-constexpr int fewest_draws = 6;  // even [x_1, x_5] of five draws has a coverage of 93.75 % only
+constexpr double min_coverage = 0.95;
+constexpr int min_draws = 6;  // even [x_1, x_5] of five draws has a coverage of 93.75 % only
 
 /// Probability that [x_k, x_{n+1-k}] holds the median, 1 <= k <= (n + 1) / 2.
 inline double coverage_of_order_statistics(int n, int k) {
@@ -40,9 +40,9 @@ inline double coverage_of_order_statistics(int n, int k) {
 
 /// The k of the narrowest interval with enough coverage.
 inline int rank_of_lower_end(int n) {
-    assert(n >= fewest_draws);
+    assert(n >= min_draws);
     int k = 1;
-    while (2 * (k + 1) <= n && coverage_of_order_statistics(n, k + 1) >= least_coverage) ++k;
+    while (2 * (k + 1) <= n && coverage_of_order_statistics(n, k + 1) >= min_coverage) ++k;
     return k;
 }
 

@@ -1,7 +1,7 @@
 // Peaks: what one core of this machine can do at most, measured, in the widest registers the kernels are compiled for.
 #pragma once
 
-#include "scene.hpp"
+#include "scene/scene.hpp"
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "subjects.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 
 #include "run/engine.hpp"
 
@@ -59,10 +59,10 @@ void run_peers() {
         print("drapeau", "semi-implicit-euler, auto", core);
 
         // Smaller steps stiffen Bullet's cloth; the first that is about as stiff as the core's is the one to compare.
-        constexpr int iterations = 4, most_substeps = 64;
+        constexpr int iterations = 4, max_substeps = 64;
         constexpr double about = 1.1;
         bool as_stiff = false;
-        for (int substeps = 1; substeps <= most_substeps && !as_stiff; substeps *= 2) {
+        for (int substeps = 1; substeps <= max_substeps && !as_stiff; substeps *= 2) {
             const Flight bullet = fly_bullet(scene_of(c), substeps, iterations);
             as_stiff = bullet.greatest_stretch <= about * core.greatest_stretch;
             print("Bullet", std::to_string(substeps) + " substeps of " + std::to_string(iterations) + " iterations",
@@ -71,7 +71,7 @@ void run_peers() {
                 std::printf("  At equal greatest stretch drapeau takes %.2f of Bullet's time.\n",
                             core.ms_a_frame / bullet.ms_a_frame);
         }
-        if (!as_stiff) std::printf("  Bullet does not get as stiff with %d substeps a frame.\n", most_substeps);
+        if (!as_stiff) std::printf("  Bullet does not get as stiff with %d substeps a frame.\n", max_substeps);
     }
 }
 

@@ -1,7 +1,7 @@
 #include "record.hpp"
 
 #include "kernels/kernels.hpp"
-#include "scene_file.hpp"
+#include "scene/file.hpp"
 
 #include <nlohmann/json.hpp>
 

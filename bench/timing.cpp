@@ -8,7 +8,7 @@ namespace drapeau::bench {
 namespace {
 
 constexpr double shortest_repeat = 150e-6;  // s: long beside the clock's own cost, short beside the noise
-constexpr int fewest_repeats = 5;
+constexpr int min_repeats = 5;
 
 double seconds_for(Subject& subject, int times) {
     subject.restore();
@@ -34,7 +34,7 @@ std::vector<Timing> time_in_turns(std::span<const Contender> contenders, double 
 
     const auto begin = std::chrono::steady_clock::now();
     const auto spent = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
-    for (int n = 0; n < fewest_repeats || spent() < budget * static_cast<double>(contenders.size()); ++n)
+    for (int n = 0; n < min_repeats || spent() < budget * static_cast<double>(contenders.size()); ++n)
         for (std::size_t c = 0; c < contenders.size(); ++c)
             seconds[c].push_back(seconds_for(*contenders[c].subject, times[c]) / times[c]);
 

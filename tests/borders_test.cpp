@@ -51,8 +51,8 @@ TEMPLATE_LIST_TEST_CASE("Every mass of a cloth with light borders is accelerated
         }
 }
 
-TEMPLATE_LIST_TEST_CASE("A held mass stays and is pulled at in vain, and the others feel it as any neighbour", "[physics]",
-                        AllCases) {
+TEMPLATE_LIST_TEST_CASE("A held mass stays and is pulled at in vain, and the others feel it as any neighbour",
+                        "[physics]", AllCases) {
     using Real = typename TestType::Real;
     using Method = typename TestType::Method;
     for (const auto& springs : springs_of) {

@@ -1,9 +1,9 @@
 // Divergence: a run that diverges stops on its last good state and says when, where, why and what helps.
 #include "all_methods.hpp"
 #include "catch.hpp"
-#include "error.hpp"
+#include "io/error.hpp"
 #include "run/simulation.hpp"
-#include "scene_file.hpp"
+#include "scene/file.hpp"
 
 #include "drapeau/stability.hpp"
 

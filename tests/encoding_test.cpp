@@ -1,7 +1,7 @@
 // Laws of files that are not UTF-8: a message names what they are, so that they can be saved anew.
 #include "catch.hpp"
 
-#include "encoding.hpp"
+#include "io/encoding.hpp"
 
 #include <string>
 

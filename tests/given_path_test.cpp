@@ -1,9 +1,9 @@
 // Laws of paths as people give them: typed, pasted with quotes, dropped as an URL.
 #include "catch.hpp"
 
-#include "error.hpp"
-#include "given_path.hpp"
-#include "scene_file.hpp"
+#include "io/error.hpp"
+#include "io/given_path.hpp"
+#include "scene/file.hpp"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,7 +1,7 @@
 // Image files: what browsers show is read, and what cannot be read is named.
 #include "catch.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 #include "image_samples.hpp"
 #include "scarce_memory.hpp"
 

@@ -1,6 +1,6 @@
 #include "image_samples.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 
 #include <array>
 #include <cstdlib>

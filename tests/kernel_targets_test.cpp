@@ -1,6 +1,6 @@
 #include "catch.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 #include "kernels/kernels.hpp"
 #include "physics_sheet.hpp"
 

@@ -1,7 +1,7 @@
 // Laws of the laboratory's command line, seen as a user sees them: arguments, outputs, exit status.
 #include "catch.hpp"
 
-#include "scene_file.hpp"
+#include "scene/file.hpp"
 
 #include <glm/geometric.hpp>
 

@@ -7,7 +7,7 @@
 #include "catch.hpp"
 #include "run/engine.hpp"
 #include "run/simulation.hpp"
-#include "scene_file.hpp"
+#include "scene/file.hpp"
 
 #include "drapeau/stability.hpp"
 

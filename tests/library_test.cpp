@@ -1,7 +1,7 @@
 // Saved scenes open again, with their image, from anywhere.
 #include "catch.hpp"
-#include "error.hpp"
-#include "scene_file.hpp"
+#include "io/error.hpp"
+#include "scene/file.hpp"
 #include "viewer/library.hpp"
 #include "viewer/saving.hpp"
 

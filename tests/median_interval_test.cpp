@@ -43,14 +43,14 @@ TEST_CASE("The median's interval takes the ranks and has the coverage of the bin
 }
 
 TEST_CASE("Fewer draws than six have no interval of 95 %, and six are enough") {
-    CHECK(coverage_of_order_statistics(fewest_draws - 1, 1) < least_coverage);
-    CHECK(coverage_of_order_statistics(fewest_draws, 1) >= least_coverage);
+    CHECK(coverage_of_order_statistics(min_draws - 1, 1) < min_coverage);
+    CHECK(coverage_of_order_statistics(min_draws, 1) >= min_coverage);
 }
 
 TEST_CASE("Thousands of draws neither overflow nor lose their coverage") {
     const int n = 5000, k = rank_of_lower_end(n);
-    CHECK(coverage_of_order_statistics(n, k) >= least_coverage);
-    CHECK(coverage_of_order_statistics(n, k + 1) < least_coverage);
+    CHECK(coverage_of_order_statistics(n, k) >= min_coverage);
+    CHECK(coverage_of_order_statistics(n, k + 1) < min_coverage);
     // Nearly normal: k = n / 2 - 1.96 sqrt(n) / 2, and the steps between two k are wider than what differs.
     CHECK(std::abs(k - (n / 2.0 - 1.96 * std::sqrt(n) / 2.0)) < 2.0);
 }

@@ -1,9 +1,9 @@
 // Output files: whole or as they were, whatever goes wrong.
 #include "catch.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 #include "image/image.hpp"
-#include "output_file.hpp"
+#include "io/output_file.hpp"
 #include "viewer/library.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // What float can honour: the law behind smallest_float_step, and what the programs make of it.
 #include "catch.hpp"
-#include "error.hpp"
+#include "io/error.hpp"
 #include "run/engine.hpp"
 #include "run/simulation.hpp"
-#include "scene_file.hpp"
+#include "scene/file.hpp"
 
 #include "drapeau/precision.hpp"
 

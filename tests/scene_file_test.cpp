@@ -1,12 +1,12 @@
 // Laws of scene files: what is written is read back, what is wrong is named in one line.
 #include "catch.hpp"
 
-#include "error.hpp"
-#include "scene_fields.hpp"
-#include "scene_file.hpp"
-#include "settings_reference.hpp"
+#include "io/error.hpp"
+#include "scene/settings.hpp"
+#include "scene/file.hpp"
+#include "scene/reference.hpp"
 #include "run/simulation.hpp"
-#include "text.hpp"
+#include "io/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -437,10 +437,10 @@ TEST_CASE("values that controls make are checked as those of files are") {
 /// A scene that lists every setting, each of another value than its default.
 Scene unusual_scene() {
     Scene scene;
-    scene_fields::each_table(scene, [&](const std::string&, auto& settings, const auto& keys, bool) {
+    settings::each_table(scene, [&](const std::string&, auto& settings, const auto& keys, bool) {
         if constexpr (requires { settings.has_value(); }) settings.emplace();
-        auto& values = *scene_fields::listed(settings);
-        scene_fields::each_key(keys, [&](const auto& field) {
+        auto& values = *settings::listed(settings);
+        settings::each_key(keys, [&](const auto& field) {
             auto& value = values.*field.member;
             using Value = std::decay_t<decltype(value)>;
             if constexpr (std::is_same_v<Value, std::string>) {

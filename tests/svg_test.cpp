@@ -1,7 +1,7 @@
 // SVG: drawn at a flag's size, from nothing but itself, within limits.
 #include "catch.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 #include "image/decoders.hpp"
 #include "image_samples.hpp"
 

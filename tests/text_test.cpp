@@ -1,7 +1,7 @@
 // Laws of text in messages: one line that is seen as it is, whatever the names in it hold.
 #include "catch.hpp"
 
-#include "text.hpp"
+#include "io/text.hpp"
 
 #include <algorithm>
 #include <string>

@@ -2,7 +2,7 @@
 // parameters with these members:
 //
 //   name                        for people
-//   table (if it has one)       its table in a scene file; its keys are rows of src/scene_fields.hpp
+//   table (if it has one)       its table in a scene file; its keys are rows of src/scene/settings.hpp
 //
 // and of these what it needs; what a term does not have is not asked for, and a term that is not listed is not
 // executed:

@@ -1,7 +1,7 @@
 // GIF by giflib: the first frame on its canvas. What follows that frame is not looked at.
 #include "image/decoders.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 
 #include <gif_lib.h>
 

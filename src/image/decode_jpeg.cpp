@@ -1,7 +1,7 @@
 // JPEG by libjpeg-turbo. Its warnings tell a picture that lacks data from one that lacks only its end marker.
 #include "image/decoders.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 #include "image/exif_orientation.hpp"
 #include "image/image_file.hpp"
 
@@ -19,7 +19,7 @@ namespace drapeau {
 
 namespace {
 
-constexpr int most_scans = 200;  // a file of many empty scans would keep the decoder busy for hours
+constexpr int max_scans = 200;  // a file of many empty scans would keep the decoder busy for hours
 
 struct Reading {
     jpeg_decompress_struct jpeg{};
@@ -66,8 +66,8 @@ void on_message(j_common_ptr jpeg, int level) {
 void on_progress(j_common_ptr jpeg) {
     Reading& reading = reading_of(jpeg);
     if (reading.stop.stop_requested()) std::longjmp(reading.escape, 1);
-    if (reading.jpeg.input_scan_number <= most_scans) return;
-    std::snprintf(reading.reason, sizeof reading.reason, "more than %d scans", most_scans);
+    if (reading.jpeg.input_scan_number <= max_scans) return;
+    std::snprintf(reading.reason, sizeof reading.reason, "more than %d scans", max_scans);
     std::longjmp(reading.escape, 1);
 }
 

@@ -3,9 +3,9 @@
 // no folder to resolve references against: it opens no other file and no connection.
 #include "image/decoders.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 #include "image/image_file.hpp"
-#include "text.hpp"
+#include "io/text.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,7 +1,7 @@
 // WebP by libwebp: a still picture, or the first frame of an animation on its canvas.
 #include "image/decoders.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 
 #include <webp/decode.h>
 #include <webp/demux.h>

@@ -1,8 +1,8 @@
 #include "image/decoders.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 #include "image/image_file.hpp"
-#include "text.hpp"
+#include "io/text.hpp"
 
 namespace drapeau {
 

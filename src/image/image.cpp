@@ -1,7 +1,7 @@
 #include "image/image.hpp"
 
-#include "error.hpp"
-#include "output_file.hpp"
+#include "io/error.hpp"
+#include "io/output_file.hpp"
 
 #include <stb_image_write.h>
 

@@ -1,8 +1,8 @@
 #include "image/image_file.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 #include "image/file_kind.hpp"
-#include "text.hpp"
+#include "io/text.hpp"
 
 #include <algorithm>
 #include <fstream>

@@ -1,8 +1,8 @@
 // Which instruction sets were compiled in, and which of them this machine can run.
 #include "kernels/kernels.hpp"
 
-#include "error.hpp"
-#include "text.hpp"
+#include "io/error.hpp"
+#include "io/text.hpp"
 
 #include "kernel_targets.hpp"  // made by the build: DRAPEAU_FOR_EACH_TARGET(X) is X(symbol, "name")..., plainest first
 

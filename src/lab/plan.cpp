@@ -1,9 +1,9 @@
 #include "plan.hpp"
 
-#include "error.hpp"
-#include "scene_fields.hpp"
-#include "scene_file.hpp"
-#include "text.hpp"
+#include "io/error.hpp"
+#include "scene/settings.hpp"
+#include "scene/file.hpp"
+#include "io/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ Plan plan_for(const Scene& scene, double seconds, const std::string& given_secon
     flat.flag.start = Start::flat;
     const Simulation automatic(flat);
     const double steps = std::ceil(seconds / automatic.dt()), dt = seconds / steps;
-    if (constexpr double least = scene_fields::dt_range.lowest; dt < least)
+    if (constexpr double least = settings::dt_range.lowest; dt < least)
         throw InputError("time.dt = \"auto\": " + std::string(name_of(scene.time.method)) + " needs steps of " +
                          quantity(dt, "s") + " for these springs and masses, and " + quantity(least, "s") +
                          " is the least; choose " + "semi-implicit-euler, softer springs or more drag");

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "run/simulation.hpp"
-#include "scene.hpp"
+#include "scene/scene.hpp"
 
 #include <optional>
 #include <string>

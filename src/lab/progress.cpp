@@ -1,6 +1,6 @@
 #include "progress.hpp"
 
-#include "text.hpp"
+#include "io/text.hpp"
 
 #include <cstdio>
 #include <string>

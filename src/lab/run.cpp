@@ -1,16 +1,16 @@
 #include "run.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 #include "plan.hpp"
 #include "progress.hpp"
 #include "results.hpp"
-#include "scene_fields.hpp"
-#include "scene_file.hpp"
+#include "scene/settings.hpp"
+#include "scene/file.hpp"
 #include "run/divergence.hpp"
 #include "run/simulation.hpp"
-#include "terminal.hpp"
-#include "text.hpp"
-#include "text_file.hpp"
+#include "io/terminal.hpp"
+#include "io/text.hpp"
+#include "io/text_file.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -33,7 +33,7 @@ double processor_seconds() {
 /// Nothing to simulate is fine: it gives the start. Anything else takes at least the shortest step.
 double seconds_option(const std::string& text) {
     constexpr double longest = 1e6;
-    const double shortest_step = scene_fields::dt_range.lowest;
+    const double shortest_step = settings::dt_range.lowest;
     const auto number = number_in(text);
     if (number && (*number == 0.0 || (*number >= shortest_step && *number <= longest))) return *number;
     throw InputError("--seconds = " + one_line(text, 60) + ": 0 or a number of seconds from " +

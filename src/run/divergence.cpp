@@ -1,7 +1,7 @@
 #include "run/divergence.hpp"
 
-#include "scene_file.hpp"
-#include "text.hpp"
+#include "scene/file.hpp"
+#include "io/text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "run/engine.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 #include "kernels/kernels.hpp"
 
 #include <cstring>

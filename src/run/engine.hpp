@@ -3,7 +3,7 @@
 
 #include "drapeau/energy.hpp"
 #include "drapeau/stepper.hpp"
-#include "scene.hpp"
+#include "scene/scene.hpp"
 
 #include <atomic>
 #include <cmath>

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "drapeau/state.hpp"
-#include "scene.hpp"
+#include "scene/scene.hpp"
 
 #include <atomic>
 

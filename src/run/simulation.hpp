@@ -2,7 +2,7 @@
 // Time advances in batches of 1/60 s; the state is single-owner (one thread at a time), never shared.
 #pragma once
 
-#include "scene.hpp"
+#include "scene/scene.hpp"
 
 #include "drapeau/energy.hpp"
 #include "drapeau/flag.hpp"

@@ -1,7 +1,7 @@
 #include "run/start_state.hpp"
 
 #include "run/settle.hpp"
-#include "text.hpp"
+#include "io/text.hpp"
 
 #include "drapeau/precision.hpp"
 #include "drapeau/start.hpp"

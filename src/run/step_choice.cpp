@@ -1,8 +1,8 @@
 #include "run/step_choice.hpp"
 
-#include "error.hpp"
-#include "scene_file.hpp"
-#include "text.hpp"
+#include "io/error.hpp"
+#include "scene/file.hpp"
+#include "io/text.hpp"
 
 #include "drapeau/precision.hpp"
 #include "drapeau/stability.hpp"

@@ -1,7 +1,7 @@
 // Step choice: the step and the precision that a scene's time settings come to.
 #pragma once
 
-#include "scene.hpp"
+#include "scene/scene.hpp"
 
 namespace drapeau {
 

@@ -15,7 +15,7 @@ namespace {
 constexpr float field_of_view = 34.0f;     // degrees over the view's height
 constexpr float degrees_per_pixel = 0.3f;  // of turning
 constexpr float zoom_per_notch = 1.12f;
-constexpr float least_zoom = 0.15f, most_zoom = 20.0f;
+constexpr float min_zoom = 0.15f, max_zoom = 20.0f;
 constexpr float lowest = -35.0f, highest = 85.0f;  // degrees
 constexpr float above_ground = 0.12f;              // m, the eye at least
 
@@ -31,7 +31,7 @@ void Camera::turn(glm::vec2 pixels) {
 }
 
 void Camera::closer(float notches) {
-    zoom = std::clamp(zoom * std::pow(zoom_per_notch, notches), least_zoom, most_zoom);
+    zoom = std::clamp(zoom * std::pow(zoom_per_notch, notches), min_zoom, max_zoom);
 }
 
 // What is under the mouse stays under it.

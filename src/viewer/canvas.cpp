@@ -1,6 +1,6 @@
 #include "canvas.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 
 #include <algorithm>
 #include <string>
@@ -8,10 +8,10 @@
 namespace drapeau {
 
 Canvas::Canvas(int width, int height, int samples) : width_(width), height_(height), samples_(samples) {
-    GLint most_samples = 0, largest = 0;
-    glGetIntegerv(GL_MAX_SAMPLES, &most_samples);
+    GLint max_samples = 0, largest = 0;
+    glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
-    samples_ = std::min(samples_, most_samples);
+    samples_ = std::min(samples_, max_samples);
     if (width > largest || height > largest)
         throw InputError("--size = " + std::to_string(width) + "x" + std::to_string(height) +
                          ": this machine draws at most " + std::to_string(largest) + " pixels a side");

@@ -1,6 +1,6 @@
 #include "controls.hpp"
 
-#include "given_path.hpp"
+#include "io/given_path.hpp"
 
 #include <glm/geometric.hpp>
 

@@ -1,8 +1,8 @@
 #include "film.hpp"
 
-#include "error.hpp"
-#include "given_path.hpp"
-#include "text.hpp"
+#include "io/error.hpp"
+#include "io/given_path.hpp"
+#include "io/text.hpp"
 
 #include <algorithm>
 #include <climits>

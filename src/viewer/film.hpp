@@ -3,7 +3,7 @@
 #pragma once
 
 #include "image/image.hpp"
-#include "output_file.hpp"
+#include "io/output_file.hpp"
 
 #include <filesystem>
 

@@ -1,6 +1,6 @@
 #include "gl_errors.hpp"
 
-#include "terminal.hpp"
+#include "io/terminal.hpp"
 
 #include <GL/glew.h>
 

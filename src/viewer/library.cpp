@@ -1,11 +1,11 @@
 #include "library.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 #include "image/image_file.hpp"
-#include "output_file.hpp"
+#include "io/output_file.hpp"
 #include "saving.hpp"
-#include "scene_fields.hpp"
-#include "scene_file.hpp"
+#include "scene/settings.hpp"
+#include "scene/file.hpp"
 
 #include <cstdio>
 
@@ -41,7 +41,7 @@ std::string texture_name(const fs::path& image, const fs::path& folder) {
         if (!way.empty() && *way.begin() != "..") named = way;
     }
     const std::string name = named.string();
-    return scene_fields::is_allowed(name, {}) ? name : "";
+    return settings::is_allowed(name, {}) ? name : "";
 }
 
 Saved save_scene(Scene scene, const fs::path& path, const fs::path& image) {

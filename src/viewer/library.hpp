@@ -3,7 +3,7 @@
 #pragma once
 
 #include "image/image.hpp"
-#include "scene_file.hpp"
+#include "scene/file.hpp"
 
 #include <filesystem>
 #include <optional>

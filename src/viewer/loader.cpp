@@ -1,9 +1,9 @@
 #include "loader.hpp"
 
-#include "error.hpp"
-#include "given_path.hpp"
+#include "io/error.hpp"
+#include "io/given_path.hpp"
 #include "image/image_file.hpp"
-#include "scene_file.hpp"
+#include "scene/file.hpp"
 
 #include <exception>
 #include <new>

@@ -2,8 +2,8 @@
 #include "options.hpp"
 #include "viewer.hpp"
 
-#include "error.hpp"
-#include "terminal.hpp"
+#include "io/error.hpp"
+#include "io/terminal.hpp"
 
 #include <csignal>
 #include <exception>

@@ -11,7 +11,7 @@ void MassPass::draw(const GridTextures& grid, const Picture& picture) const {
     shader_.use();
     shader_.set("columns", grid.columns());
     shader_.set("radius", (chain ? 0.16f : 0.13f) * cell);
-    shader_.set("most_pixels", chain ? 12.0f : 7.0f);
+    shader_.set("max_pixels", chain ? 12.0f : 7.0f);
     shader_.set("lift", 0.2f * cell);
     glBindVertexArray(nothing_.id());
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, grid.columns() * grid.rows());

@@ -12,7 +12,7 @@
 //   lowered     an automatic step is lowered, once a scene       after some seconds
 #pragma once
 
-#include "text.hpp"
+#include "io/text.hpp"
 
 #include <string>
 

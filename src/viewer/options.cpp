@@ -1,12 +1,12 @@
 #include "options.hpp"
 
-#include "command_line.hpp"
-#include "error.hpp"
+#include "io/command_line.hpp"
+#include "io/error.hpp"
 #include "film.hpp"
-#include "given_path.hpp"
-#include "scene_file.hpp"
-#include "terminal.hpp"
-#include "text.hpp"
+#include "io/given_path.hpp"
+#include "scene/file.hpp"
+#include "io/terminal.hpp"
+#include "io/text.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -15,8 +15,8 @@ namespace drapeau {
 
 namespace {
 
-constexpr int most_frames = 1000000;
-constexpr int least_side = 16, most_side = 16384;  // pixels
+constexpr int max_frames = 1000000;
+constexpr int min_side = 16, max_side = 16384;  // pixels
 
 constexpr const char* notes =
     "In the window, F1 lists the keys.\n"
@@ -31,9 +31,9 @@ long long whole_number(const std::string& text) {
 
 int frames_from(const std::string& text) {
     const long long frames = whole_number(text);
-    if (frames < 1 || frames > most_frames)
+    if (frames < 1 || frames > max_frames)
         throw InputError("--frames = " + one_line(text, 60) + ": a whole number from 1 to " +
-                         std::to_string(most_frames));
+                         std::to_string(max_frames));
     return int(frames);
 }
 
@@ -41,9 +41,9 @@ void size_from(const std::string& text, Options& options) {
     const auto cross = text.find('x');
     const long long width = whole_number(text.substr(0, cross));
     const long long height = cross == std::string::npos ? -1 : whole_number(text.substr(cross + 1));
-    if (std::min(width, height) < least_side || std::max(width, height) > most_side)
-        throw InputError("--size = " + one_line(text, 60) + ": WIDTHxHEIGHT, each from " + std::to_string(least_side) +
-                         " to " + std::to_string(most_side) + " pixels");
+    if (std::min(width, height) < min_side || std::max(width, height) > max_side)
+        throw InputError("--size = " + one_line(text, 60) + ": WIDTHxHEIGHT, each from " + std::to_string(min_side) +
+                         " to " + std::to_string(max_side) + " pixels");
     options.width = int(width);
     options.height = int(height);
     options.size_given = true;

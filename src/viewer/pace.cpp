@@ -8,17 +8,17 @@ namespace drapeau {
 
 namespace {
 
-constexpr int most_waiting = 3;        // batches not done when more are asked for: settings take effect at once
-constexpr int most_asked = 15;         // batches at once, after a slow frame
-constexpr double least_window = 0.25;  // s before a factor is shown
-constexpr double window = 1.0;         // s the averages run over
+constexpr int max_waiting = 3;       // batches not done when more are asked for: settings take effect at once
+constexpr int max_asked = 15;        // batches at once, after a slow frame
+constexpr double min_window = 0.25;  // s before a factor is shown
+constexpr double window = 1.0;       // s the averages run over
 
 }  // namespace
 
 int Pace::batches(double seconds, int backlog) {
     owed_ += seconds;
     const int due = int(owed_ / batch_seconds);
-    const int granted = backlog >= most_waiting ? 0 : std::min(due, most_asked);
+    const int granted = backlog >= max_waiting ? 0 : std::min(due, max_asked);
     owed_ -= granted * batch_seconds;
     owed_ = std::min(owed_, batch_seconds);
     return granted;
@@ -29,7 +29,7 @@ void Pace::observe(double wall, double simulated) {
     samples_.push_back({wall, simulated});
     while (samples_.size() > 2 && wall - samples_.front().wall > window) samples_.pop_front();
     const double span = wall - samples_.front().wall;
-    if (span < least_window) return;
+    if (span < min_window) return;
     factor_ = (simulated - samples_.front().simulated) / span;
     frame_ = span / double(samples_.size() - 1);
 }

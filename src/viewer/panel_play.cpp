@@ -9,7 +9,7 @@
 
 namespace drapeau {
 
-using namespace scene_fields;
+using namespace settings;
 
 namespace {
 

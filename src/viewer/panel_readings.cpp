@@ -1,7 +1,7 @@
 // What the run does, in numbers with units. Readings of the wall clock show a dash where pictures must repeat.
 #include "panels.hpp"
 
-#include "text.hpp"
+#include "io/text.hpp"
 
 #include <imgui.h>
 

@@ -7,7 +7,7 @@
 
 namespace drapeau {
 
-using namespace scene_fields;
+using namespace settings;
 
 void draw_springs_page(Session& session, Widgets& widgets) {
     each_key(springs_keys, [&](const auto& field) {

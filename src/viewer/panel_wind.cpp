@@ -11,7 +11,7 @@
 
 namespace drapeau {
 
-using namespace scene_fields;
+using namespace settings;
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include "saving.hpp"
 
-#include "error.hpp"
-#include "scene_file.hpp"
+#include "io/error.hpp"
+#include "scene/file.hpp"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include "camera.hpp"
 #include "message.hpp"
 #include "run/simulation.hpp"
-#include "scene.hpp"
+#include "scene/scene.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -2,12 +2,11 @@
 
 namespace drapeau {
 
-std::string tip_of(std::string_view table, std::string_view key, const scene_fields::About& about) {
-    return as_sentence(about.help) + " " + as_sentence(about.tip) + "\n" +
-           scene_fields::full_name(table, key);
+std::string tip_of(std::string_view table, std::string_view key, const settings::About& about) {
+    return as_sentence(about.help) + " " + as_sentence(about.tip) + "\n" + settings::full_name(table, key);
 }
 
-SliderScale scale_of(const scene_fields::About& about, const scene_fields::Control& control) {
+SliderScale scale_of(const settings::About& about, const settings::Control& control) {
     const std::string_view unit = control.unit.empty() ? about.unit : control.unit;
     std::string format(control.number);
     if (!unit.empty()) format.append(" ").append(unit == "%" ? "%%" : unit);

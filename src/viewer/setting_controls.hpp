@@ -1,7 +1,7 @@
 // Controls of settings, made from their rows in the table of settings: label, ends, unit and tooltip stand there.
 #pragma once
 
-#include "scene_fields.hpp"
+#include "scene/settings.hpp"
 #include "widgets.hpp"
 
 #include <concepts>
@@ -12,10 +12,10 @@
 namespace drapeau {
 
 /// What a control says when the mouse rests on it.
-std::string tip_of(std::string_view table, std::string_view key, const scene_fields::About& about);
+std::string tip_of(std::string_view table, std::string_view key, const settings::About& about);
 
 /// The slider of a number.
-SliderScale scale_of(const scene_fields::About& about, const scene_fields::Control& control);
+SliderScale scale_of(const settings::About& about, const settings::Control& control);
 
 /// The switch of a term: whether it was clicked.
 bool switch_table(Widgets& widgets, std::string_view name, std::string_view remark, bool on);
@@ -55,7 +55,7 @@ bool edit(Widgets& widgets, const Field& field, const std::string& tip, bool& va
 template <class Field, class Enum>
 requires std::is_enum_v<Enum>
 bool edit(Widgets& widgets, const Field& field, const std::string& tip, Enum& value, const Enum& origin) {
-    const auto words = scene_fields::names_of(value);
+    const auto words = settings::names_of(value);
     int index = static_cast<int>(value);
     if (!widgets.choice(field.about.label, index, {words.begin(), words.end()}, static_cast<int>(origin), tip.c_str()))
         return false;
@@ -81,7 +81,7 @@ bool edit(Widgets&, const Field&, const std::string&, std::string&, const std::s
 
 /// The control of one setting.
 template <class Settings, class Value>
-bool edit(Widgets& widgets, std::string_view table, const scene_fields::Key<Settings, Value>& field, Settings& settings,
+bool edit(Widgets& widgets, std::string_view table, const settings::Key<Settings, Value>& field, Settings& settings,
           const Settings& origin) {
     return edit(widgets, field, tip_of(table, field.key, field.about), settings.*field.member, origin.*field.member);
 }
@@ -90,7 +90,7 @@ bool edit(Widgets& widgets, std::string_view table, const scene_fields::Key<Sett
 /// both in a row.
 template <class Term>
 void edit_table(Widgets& widgets, std::optional<Term>& term, const std::optional<Term>& origin) {
-    constexpr auto& keys = scene_fields::keys_of<Term>;
+    constexpr auto& keys = settings::keys_of<Term>;
     const auto& first = std::get<0>(keys);
     if constexpr (std::tuple_size_v<std::decay_t<decltype(keys)>> == 1 && requires { double{Term{}.*first.member}; }) {
         const auto value_of = [&](const auto& t) { return t ? std::optional(*t.*first.member) : std::nullopt; };
@@ -104,19 +104,19 @@ void edit_table(Widgets& widgets, std::optional<Term>& term, const std::optional
         *term.*first.member = *value;
     } else {
         const Term usual = origin.value_or(Term{});
-        if (switch_table(widgets, Term::name, scene_fields::remark_on<Term>, term.has_value())) {
+        if (switch_table(widgets, Term::name, settings::remark_on<Term>, term.has_value())) {
             term = term ? std::nullopt : std::optional(usual);
         }
         if (!term) return;
-        scene_fields::each_key(keys, [&](const auto& field) { edit(widgets, Term::table, field, *term, usual); });
+        settings::each_key(keys, [&](const auto& field) { edit(widgets, Term::table, field, *term, usual); });
     }
 }
 
 /// The row of a key, by its member.
 template <class Settings, class Value, class Keys>
-constexpr scene_fields::Key<Settings, Value> row_of(Value Settings::*member, const Keys& keys) {
-    scene_fields::Key<Settings, Value> found{};
-    scene_fields::each_key(keys, [&]<class S, class V>(const scene_fields::Key<S, V>& field) {
+constexpr settings::Key<Settings, Value> row_of(Value Settings::*member, const Keys& keys) {
+    settings::Key<Settings, Value> found{};
+    settings::each_key(keys, [&]<class S, class V>(const settings::Key<S, V>& field) {
         if constexpr (std::is_same_v<V, Value>)
             if (field.member == member) found = field;
     });

@@ -1,6 +1,6 @@
 #include "shader.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 
 #include <fstream>
 #include <sstream>

@@ -1,6 +1,6 @@
 #include "simulation_thread.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 #include "run/settle.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "camera.hpp"
 #include "picture.hpp"
-#include "scene.hpp"
+#include "scene/scene.hpp"
 
 namespace drapeau {
 

@@ -4,11 +4,11 @@
 #include "saving.hpp"
 #include "stage.hpp"
 
-#include "error.hpp"
-#include "given_path.hpp"
-#include "output_file.hpp"
-#include "scene_file.hpp"
-#include "terminal.hpp"
+#include "io/error.hpp"
+#include "io/given_path.hpp"
+#include "io/output_file.hpp"
+#include "scene/file.hpp"
+#include "io/terminal.hpp"
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>

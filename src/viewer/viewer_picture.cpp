@@ -3,7 +3,7 @@
 
 #include "stage.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
@@ -19,7 +19,7 @@ namespace drapeau {
 
 namespace {
 
-constexpr double least_frame_seconds = 0.008;  // where the display does not hold the loop back
+constexpr double min_frame_seconds = 0.008;  // where the display does not hold the loop back
 
 glm::vec3 middle_of(const FieldBuffer<float>& position) {
     glm::dvec3 sum(0.0);
@@ -114,8 +114,8 @@ void Viewer::present() {
     write_map();
     window_.swap();
     const double spent = glfwGetTime() - last_time_;
-    if (!repeatable() && spent < least_frame_seconds)
-        std::this_thread::sleep_for(std::chrono::duration<double>(least_frame_seconds - spent));
+    if (!repeatable() && spent < min_frame_seconds)
+        std::this_thread::sleep_for(std::chrono::duration<double>(min_frame_seconds - spent));
 }
 
 Activity Viewer::activity() const {

@@ -1,6 +1,6 @@
 #include "widgets.hpp"
 
-#include "text.hpp"
+#include "io/text.hpp"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>

@@ -3,7 +3,7 @@
 #include "dead_window_manager.hpp"
 #include "keyboard.hpp"
 
-#include "error.hpp"
+#include "io/error.hpp"
 
 #include <GL/glew.h>
 #include <GLFW/glfw3.h>

@@ -4,8 +4,8 @@
 #include "scenes.hpp"
 
 #include "catch.hpp"
-#include "scene_fields.hpp"
-#include "scene_file.hpp"
+#include "scene/settings.hpp"
+#include "scene/file.hpp"
 
 using namespace drapeau::window_tests;
 
@@ -39,8 +39,8 @@ void choose(App& app, const std::string& label, const std::string& entry) {
 
 /// The label in the UI map that shows that a setting has its control.
 template <class Settings, class Value>
-std::string sign_of(const std::string& table, const drapeau::scene_fields::Key<Settings, Value>& field) {
-    const std::string name = drapeau::scene_fields::full_name(table, field.key), label = field.about.label;
+std::string sign_of(const std::string& table, const drapeau::settings::Key<Settings, Value>& field) {
+    const std::string name = drapeau::settings::full_name(table, field.key), label = field.about.label;
     if (name == "wind.velocity") return "Wind speed";  // as speed and direction
     if (name == "time.dt") return "Step chosen automatically";
     if (std::is_same_v<Value, glm::dvec3>) return label + " across";
@@ -51,7 +51,7 @@ std::string sign_of(const std::string& table, const drapeau::scene_fields::Key<S
 }  // namespace
 
 TEST_CASE("every setting of a scene has its control") {
-    using namespace drapeau::scene_fields;
+    using namespace drapeau::settings;
     drapeau::Scene scene;
     scene.springs.drag = 0.0006;
     scene.wind().emplace();

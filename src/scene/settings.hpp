@@ -4,8 +4,8 @@
 // keys_of<Term>; the list of terms does the rest.
 #pragma once
 
-#include "scene.hpp"
-#include "text.hpp"
+#include "scene/scene.hpp"
+#include "io/text.hpp"
 
 #include <array>
 #include <cstdint>
@@ -18,7 +18,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace drapeau::scene_fields {
+namespace drapeau::settings {
 
 /// Names of the values of an enumeration, in the enumeration's own order.
 inline constexpr std::array<std::string_view, 8> attach_names{"hoist", "grommets", "top", "corner",
@@ -387,4 +387,4 @@ bool is_allowed(const std::optional<Value>& value, const Range& range) {
     return !value || is_allowed(*value, range);
 }
 
-}  // namespace drapeau::scene_fields
+}  // namespace drapeau::settings

@@ -1,11 +1,11 @@
-#include "scene_file.hpp"
+#include "scene/file.hpp"
 
-#include "encoding.hpp"
-#include "error.hpp"
-#include "scene_assign.hpp"
-#include "scene_check.hpp"
-#include "scene_fields.hpp"
-#include "text_file.hpp"
+#include "io/encoding.hpp"
+#include "io/error.hpp"
+#include "scene/assign.hpp"
+#include "scene/check.hpp"
+#include "scene/settings.hpp"
+#include "io/text_file.hpp"
 
 #include <toml++/toml.h>
 
@@ -16,12 +16,12 @@ namespace drapeau {
 
 namespace {
 
-using namespace scene_fields;
+using namespace settings;
 
-constexpr std::size_t most_bytes = 1 << 20;
+constexpr std::size_t max_bytes = 1 << 20;
 
 // Every dot or bracket may nest one table deeper, and tables are destroyed recursively: this many fit the stack.
-constexpr std::ptrdiff_t most_nesting = 4000;
+constexpr std::ptrdiff_t max_nesting = 4000;
 
 /// One fault in one file: "storm.toml:7: flag.columns = 0: a whole number from 1 to 4096 is allowed". Of an assignment
 /// its option stands in place of file and key.
@@ -56,7 +56,7 @@ std::string echo(const toml::node& node) {
 }
 
 // Whether a node holds a value of the type, and that value. Whole numbers are numbers; numbers are not whole numbers.
-// What is out of an int's range stays out of every range that scene_fields allows.
+// What is out of an int's range stays out of every range that settings allow.
 
 bool take(const toml::node& node, bool& value) {
     if (!node.is_boolean()) return false;
@@ -224,7 +224,7 @@ void read_tables(const toml::table& root, Scene& scene, const std::string& origi
 Scene read_scene(const std::filesystem::path& file, std::span<const Assignment> assignments) {
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored)) fail(file.string(), "a folder, a scene file is wanted");
-    return parse_scene(read_text_file(file.string(), most_bytes), file.string(), assignments);
+    return parse_scene(read_text_file(file.string(), max_bytes), file.string(), assignments);
 }
 
 Scene parse_scene(std::string_view text, const std::string& origin, std::span<const Assignment> assignments) {
@@ -232,10 +232,10 @@ Scene parse_scene(std::string_view text, const std::string& origin, std::span<co
     if (const std::string fault = encoding_fault(text); !fault.empty()) fail(origin, fault);
     const auto nesting =
         std::count_if(text.begin(), text.end(), [](char c) { return c == '.' || c == '[' || c == '{'; });
-    if (text.size() > most_bytes) fail(origin, "more than 1 MiB, a scene is smaller");
-    if (nesting > most_nesting) {
+    if (text.size() > max_bytes) fail(origin, "more than 1 MiB, a scene is smaller");
+    if (nesting > max_nesting) {
         fail(origin,
-             std::to_string(nesting) + " dots and brackets, at most " + std::to_string(most_nesting) + " are allowed");
+             std::to_string(nesting) + " dots and brackets, at most " + std::to_string(max_nesting) + " are allowed");
     }
 
     toml::table root;

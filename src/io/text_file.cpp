@@ -1,7 +1,7 @@
-#include "text_file.hpp"
+#include "io/text_file.hpp"
 
-#include "error.hpp"
-#include "text.hpp"
+#include "io/error.hpp"
+#include "io/text.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -31,14 +31,14 @@ struct Descriptor {
 
 }  // namespace
 
-std::string read_text_file(const std::string& name, std::size_t most_bytes) {
+std::string read_text_file(const std::string& name, std::size_t max_bytes) {
     const Descriptor file(open(name.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
     if (file.number < 0) fail(name, std::strerror(errno));
 
     std::string bytes;
     std::string block(1 << 16, '\0');
     constexpr int patience = 5000;  // ms
-    while (bytes.size() <= most_bytes) {
+    while (bytes.size() <= max_bytes) {
         pollfd waiting{file.number, POLLIN, 0};
         if (poll(&waiting, 1, patience) == 0) fail(name, "nothing to read for 5 s");
         const ssize_t count = read(file.number, block.data(), block.size());
@@ -47,7 +47,7 @@ std::string read_text_file(const std::string& name, std::size_t most_bytes) {
         if (count < 0) fail(name, std::strerror(errno));
         bytes.append(block, 0, static_cast<std::size_t>(count));
     }
-    fail(name, "more than " + memory_text(static_cast<double>(most_bytes)) + " long");
+    fail(name, "more than " + memory_text(static_cast<double>(max_bytes)) + " long");
 }
 
 }  // namespace drapeau

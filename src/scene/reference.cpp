@@ -1,12 +1,12 @@
-#include "settings_reference.hpp"
+#include "scene/reference.hpp"
 
-#include "scene_fields.hpp"
+#include "scene/settings.hpp"
 
 namespace drapeau {
 
 namespace {
 
-using namespace scene_fields;
+using namespace settings;
 
 constexpr const char* introduction =
     "# The settings of a scene\n"

@@ -1,7 +1,7 @@
 // Scene files: TOML read into a Scene and written back; every shipped scene and texture found from any directory.
 #pragma once
 
-#include "scene.hpp"
+#include "scene/scene.hpp"
 
 #include <filesystem>
 #include <span>
@@ -35,8 +35,8 @@ std::string write_scene(const Scene& scene);
 /// the window calls it for what its controls made, parse_scene calls it for what a file says.
 void check_scene(const Scene& scene);
 
-/// The scene file that is meant: a path as people give it (given_path.hpp), the name of a shipped scene ("storm"), or
-/// what lacks only its ending ("mine" for mine.toml), in this order; a folder hides nothing. Throws InputError that
+/// The scene file that is meant: a path as people give it (io/given_path.hpp), the name of a shipped scene ("storm"),
+/// or what lacks only its ending ("mine" for mine.toml), in this order; a folder hides nothing. Throws InputError that
 /// lists the shipped ones.
 std::filesystem::path find_scene(const std::string& path_or_name);
 

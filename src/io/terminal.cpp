@@ -1,6 +1,6 @@
-#include "terminal.hpp"
+#include "io/terminal.hpp"
 
-#include "text.hpp"
+#include "io/text.hpp"
 
 #include <cerrno>
 #include <cstdio>

@@ -1,6 +1,6 @@
-#include "given_path.hpp"
+#include "io/given_path.hpp"
 
-#include "text.hpp"
+#include "io/text.hpp"
 
 #include <cstdlib>
 #include <optional>

@@ -8,7 +8,7 @@
 
 namespace drapeau {
 
-/// Lets an option's value be a path as people give it (given_path.hpp).
+/// Lets an option's value be a path as people give it (io/given_path.hpp).
 void take_as_path(CLI::Option* option);
 
 /// A whole number from `lowest` to `highest`, written in digits.

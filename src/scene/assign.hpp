@@ -2,7 +2,7 @@
 // checked alike.
 #pragma once
 
-#include "scene_file.hpp"
+#include "scene/file.hpp"
 
 #include <toml++/toml.h>
 

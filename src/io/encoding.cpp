@@ -1,6 +1,6 @@
-#include "encoding.hpp"
+#include "io/encoding.hpp"
 
-#include "text.hpp"
+#include "io/text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
-#include "scene_assign.hpp"
+#include "scene/assign.hpp"
 
-#include "error.hpp"
-#include "scene_fields.hpp"
+#include "io/error.hpp"
+#include "scene/settings.hpp"
 
 #include <toml++/toml.h>
 
@@ -9,7 +9,7 @@ namespace drapeau {
 
 namespace {
 
-using namespace scene_fields;
+using namespace settings;
 
 /// What an assignment means to change.
 enum class Target { other, text, boolean, left_out, table };

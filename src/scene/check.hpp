@@ -2,7 +2,7 @@
 // nothing feels, more memory than there is.
 #pragma once
 
-#include "scene.hpp"
+#include "scene/scene.hpp"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
-#include "command_line.hpp"
+#include "io/command_line.hpp"
 
-#include "given_path.hpp"
-#include "text.hpp"
+#include "io/given_path.hpp"
+#include "io/text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // The names of settings in scene files and on the command line.
-#include "scene_fields.hpp"
-#include "scene_file.hpp"
+#include "scene/settings.hpp"
+#include "scene/file.hpp"
 
 namespace drapeau {
 
@@ -8,7 +8,7 @@ namespace {
 
 template <class Enum>
 std::string_view name_in_list(Enum value) {
-    const auto names = scene_fields::names_of(value);
+    const auto names = settings::names_of(value);
     const auto index = static_cast<std::size_t>(value);
     return index < names.size() ? names[index] : "?";
 }
@@ -29,7 +29,7 @@ std::string_view name_of(Precision precision) {
 }
 
 std::string method_choices() {
-    return choices(scene_fields::method_names);
+    return choices(settings::method_names);
 }
 
 }  // namespace drapeau

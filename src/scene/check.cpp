@@ -1,8 +1,8 @@
-#include "scene_check.hpp"
+#include "scene/check.hpp"
 
-#include "error.hpp"
-#include "scene_fields.hpp"
-#include "scene_file.hpp"
+#include "io/error.hpp"
+#include "scene/settings.hpp"
+#include "scene/file.hpp"
 
 #include <algorithm>
 
@@ -20,7 +20,7 @@ double memory_allowed() {
 }
 
 std::optional<SceneFault> find_value_out_of_range(const Scene& scene) {
-    using namespace scene_fields;
+    using namespace settings;
     std::optional<SceneFault> fault;
     each_table(scene, [&](const std::string& table, const auto& settings, const auto& keys, bool) {
         const auto* values = listed(settings);

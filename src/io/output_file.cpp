@@ -1,7 +1,7 @@
-#include "output_file.hpp"
+#include "io/output_file.hpp"
 
-#include "error.hpp"
-#include "text.hpp"
+#include "io/error.hpp"
+#include "io/text.hpp"
 
 #include <atomic>
 #include <cerrno>
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int most_links = 40;                      // as many as the system follows
+constexpr int max_links = 40;                       // as many as the system follows
 constexpr std::chrono::seconds reader_patience(5);  // for somebody to open the other end of a pipe
 constexpr std::size_t longest_kept_name = 200;      // bytes of the target's name within that of the hidden file
 
@@ -36,7 +36,7 @@ constexpr std::size_t longest_kept_name = 200;      // bytes of the target's nam
 /// The path behind all links, also when the last of them points to nothing yet.
 fs::path behind_links(const std::string& name) {
     fs::path path = name;
-    for (int link = 0; link < most_links; ++link) {
+    for (int link = 0; link < max_links; ++link) {
         std::error_code failure;
         const fs::path folder = fs::canonical(path.has_parent_path() ? path.parent_path() : ".", failure);
         if (failure) fail_writing(name, failure.value());
