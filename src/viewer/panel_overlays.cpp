@@ -177,7 +177,9 @@ void draw_legend(const Session& session) {
     const ImU32 back = IM_COL32(22, 29, 39, 225), text = IM_COL32(232, 236, 241, 255);
     list->AddRectFilled({left - 18.0f * scale, top - line - 14.0f * scale},
                         {left + width + 18.0f * scale, view.y1 - 10.0f * scale}, back, 8.0f * scale);
-    list->AddText({left, top - line - 5.0f * scale}, text, "Force of a spring, |k (l - L)|");
+    const char* title = "Force of a spring, |k (l - L)|";
+    if (ImGui::CalcTextSize(title).x > width) title = "|k (l - L)|";
+    list->AddText({left, top - line - 5.0f * scale}, text, title);
 
     // The shader mixes linear light; steps of the same mixture, as sRGB.
     constexpr int steps = 24;
