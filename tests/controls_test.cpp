@@ -10,17 +10,17 @@ namespace {
 using Kind = InputEvent::Kind;
 
 struct Desk {
-    Session session;
+    AppState app;
     Camera camera;
     Controls controls;
     Framing framing;
     Claims claims;
 
     Desk() {
-        session.view_area = {0.0f, 0.0f, 800.0f, 600.0f};
-        session.claimed = {{0.0f, 0.0f, 100.0f, 600.0f}};
+        app.view_area = {0.0f, 0.0f, 800.0f, 600.0f};
+        app.claimed = {{0.0f, 0.0f, 100.0f, 600.0f}};
     }
-    void happen(const std::vector<InputEvent>& events) { controls.apply(events, claims, framing, session, camera); }
+    void happen(const std::vector<InputEvent>& events) { controls.apply(events, claims, framing, app, camera); }
     void key(Key key) { happen({{.kind = Kind::key, .key = key}}); }
     /// A letter, as its key gives it.
     void type(char letter, bool control = false) {
@@ -51,7 +51,7 @@ TEST_CASE("a left drag turns by its whole length, a right one slides, and neithe
 
     slid.drag({400.0f, 300.0f}, {440.0f, 310.0f}, MouseButton::right);
     expected = {};
-    expected.slide({40.0f, 10.0f}, slid.framing, slid.session.view_area);
+    expected.slide({40.0f, 10.0f}, slid.framing, slid.app.view_area);
     CHECK(slid.camera.pan == expected.pan);
     CHECK(slid.camera.pan != glm::vec3(0.0f));
     CHECK(slid.camera.azimuth == Camera::default_azimuth);
@@ -77,9 +77,9 @@ TEST_CASE("two clicks close in time and place reset the camera, others do not") 
     const auto reset_after = [](double seconds, glm::vec2 second) {
         Desk desk;
         desk.drag({400.0f, 300.0f}, {400.0f, 300.0f}, MouseButton::left, 1.0);
-        CHECK(!desk.session.wishes.reset_camera);
+        CHECK(!desk.app.commands.reset_camera);
         desk.drag(second, second, MouseButton::left, 1.0 + seconds);
-        return desk.session.wishes.reset_camera;
+        return desk.app.commands.reset_camera;
     };
     CHECK(reset_after(0.2, {401.0f, 300.0f}));
     CHECK(!reset_after(1.0, {401.0f, 300.0f}));
@@ -88,8 +88,8 @@ TEST_CASE("two clicks close in time and place reset the camera, others do not") 
 
 TEST_CASE("every key does one thing, and pressed again undoes it where it is a switch") {
     Desk desk;
-    const Session before = desk.session;
-    ViewSettings& view = desk.session.scene.view;
+    const AppState before = desk.app;
+    ViewSettings& view = desk.app.scene.view;
     const auto switches = [&](char key, bool& value) {
         CAPTURE(key);
         const bool was = value;
@@ -103,19 +103,19 @@ TEST_CASE("every key does one thing, and pressed again undoes it where it is a s
     switches('f', view.forces);
     switches('m', view.masses);
     switches('c', view.cloth);
-    switches('h', desk.session.panel_shown);
-    CHECK(desk.session.scene == before.scene);
+    switches('h', desk.app.panel_shown);
+    CHECK(desk.app.scene == before.scene);
 
     desk.key(Key::space);
-    CHECK(desk.session.paused);
+    CHECK(desk.app.paused);
     desk.type('r');
-    CHECK(desk.session.wishes.restart);
+    CHECK(desk.app.commands.restart);
     desk.type('\0', U'.');
-    CHECK(desk.session.wishes.step);
+    CHECK(desk.app.commands.step);
     desk.type('p');
-    CHECK(desk.session.wishes.screenshot);
+    CHECK(desk.app.commands.screenshot);
     desk.key(Key::home);
-    CHECK(desk.session.wishes.reset_camera);
+    CHECK(desk.app.commands.reset_camera);
     desk.type('q');
     CHECK(!desk.controls.wants_to_quit());
     desk.type('q', true);
@@ -135,30 +135,30 @@ TEST_CASE("a symbol acts whichever key types it, and never together with the key
 
     // On a layout without Latin letters a letter's key types something else: a symbol comes first.
     desk.type('t', U'א');
-    CHECK(!desk.session.scene.view.texture);
+    CHECK(!desk.app.scene.view.texture);
     desk.type('s', U'.');
-    CHECK(desk.session.wishes.step);
-    CHECK(!desk.session.scene.view.springs);
+    CHECK(desk.app.commands.step);
+    CHECK(!desk.app.scene.view.springs);
 
-    desk.session.wishes = {};
+    desk.app.commands = {};
     desk.happen({{.kind = Kind::key, .key = Key::keypad_decimal}, {.kind = Kind::character, .typed = U','}});
-    CHECK(desk.session.wishes.step);
+    CHECK(desk.app.commands.step);
 }
 
 TEST_CASE("what is held with Alt or Super is the desktop's, and letting a key go does nothing") {
     Desk desk;
-    const Scene before = desk.session.scene;
+    const Scene before = desk.app.scene;
     desk.happen({{.kind = Kind::key, .desktop = true, .letter = 's'}, {.kind = Kind::key_up, .letter = 's'}});
-    CHECK(desk.session.scene == before);
+    CHECK(desk.app.scene == before);
 }
 
 TEST_CASE("diagonal springs come back as stiff as they were") {
     Desk desk;
-    desk.session.scene.springs.diagonal_stiffness = 12.5;
+    desk.app.scene.springs.diagonal_stiffness = 12.5;
     desk.type('d');
-    CHECK(!desk.session.scene.springs.diagonal_stiffness);
+    CHECK(!desk.app.scene.springs.diagonal_stiffness);
     desk.type('d');
-    CHECK(desk.session.scene.springs.diagonal_stiffness == 12.5);
+    CHECK(desk.app.scene.springs.diagonal_stiffness == 12.5);
 }
 
 TEST_CASE("keys are text while a text is typed, and shortcuts with control do nothing else") {
@@ -166,54 +166,54 @@ TEST_CASE("keys are text while a text is typed, and shortcuts with control do no
     desk.claims.keyboard = true;
     desk.type('r');
     desk.key(Key::space);
-    CHECK(!desk.session.wishes.restart);
-    CHECK(!desk.session.paused);
+    CHECK(!desk.app.commands.restart);
+    CHECK(!desk.app.paused);
     desk.claims.keyboard = false;
     desk.type('r', true);
-    CHECK(!desk.session.wishes.restart);
+    CHECK(!desk.app.commands.restart);
 }
 
 TEST_CASE("Escape closes a question first, then the list of keys, then the message") {
     Desk desk;
-    say(desk.session, Message::Cause::image, "anything", true);
+    say(desk.app, Message::Cause::image, "anything", true);
     desk.key(Key::f1);
-    CHECK(desk.session.help_shown);
-    desk.session.question = Question{"/tmp/a.toml", "Overwrite it?"};
+    CHECK(desk.app.help_shown);
+    desk.app.question = Question{"/tmp/a.toml", "Overwrite it?"};
     desk.key(Key::escape);
-    CHECK(!desk.session.question);
-    CHECK(!desk.session.wishes.overwrite);
-    CHECK(desk.session.help_shown);
+    CHECK(!desk.app.question);
+    CHECK(!desk.app.commands.overwrite);
+    CHECK(desk.app.help_shown);
     desk.key(Key::escape);
-    CHECK(!desk.session.help_shown);
-    CHECK(desk.session.message.text == "anything");
+    CHECK(!desk.app.help_shown);
+    CHECK(desk.app.message.text == "anything");
     desk.key(Key::escape);
-    CHECK(desk.session.message.text.empty());
+    CHECK(desk.app.message.text.empty());
 }
 
 TEST_CASE("Enter agrees to what is asked, and does nothing where nothing is") {
     Desk desk;
     desk.key(Key::enter);
-    CHECK(!desk.session.wishes.overwrite);
-    desk.session.question = Question{"/tmp/a.toml", "Overwrite it?"};
+    CHECK(!desk.app.commands.overwrite);
+    desk.app.question = Question{"/tmp/a.toml", "Overwrite it?"};
     desk.claims.keyboard = true;  // a text is typed
     desk.key(Key::enter);
-    CHECK(!desk.session.wishes.overwrite);
+    CHECK(!desk.app.commands.overwrite);
     desk.claims.keyboard = false;
     desk.key(Key::enter);
-    CHECK(desk.session.wishes.overwrite == "/tmp/a.toml");
-    CHECK(!desk.session.question);
+    CHECK(desk.app.commands.overwrite == "/tmp/a.toml");
+    CHECK(!desk.app.question);
 }
 
 TEST_CASE("a dropped scene file is a scene, any other an image") {
     Desk desk;
     desk.happen({{.kind = Kind::drop, .file = "/tmp/a flag.toml"}, {.kind = Kind::drop, .file = "/tmp/flag.png"}});
-    CHECK(desk.session.wishes.load_scene == "/tmp/a flag.toml");
-    CHECK(desk.session.wishes.load_texture == "/tmp/flag.png");
+    CHECK(desk.app.commands.load_scene == "/tmp/a flag.toml");
+    CHECK(desk.app.commands.load_texture == "/tmp/flag.png");
     // As some programs drop it.
     for (const std::string scene : {"file:///tmp/a%20flag.toml\r\n", "/tmp/FLAG.TOML", "'/tmp/a flag.toml'"}) {
         Desk other;
         other.happen({{.kind = Kind::drop, .file = scene}});
-        CHECK(other.session.wishes.load_scene == scene);
-        CHECK(!other.session.wishes.load_texture);
+        CHECK(other.app.commands.load_scene == scene);
+        CHECK(!other.app.commands.load_texture);
     }
 }

@@ -439,7 +439,7 @@ TEST_CASE("an interrupted run leaves no file behind") {
 
 TEST_CASE("help, version and the list of scenes are for standard output and succeed") {
     const Bench bench;
-    for (const std::string arguments : {"--help", "run --help", "--version", "scenes"}) {
+    for (const std::string arguments : {"--help", "run --help", "--version", "scenes", "settings"}) {
         const auto outcome = bench.run(arguments);
         INFO(arguments << outcome.messages);
         CHECK(outcome.status == 0);

@@ -40,12 +40,12 @@ Moment lowered(long long revision, const std::string& why) {
 }
 
 struct Window {
-    Session session;
+    AppState app;
     RunMessages messages;
 
-    Answer hear(const Moment& moment, long long wanted) { return messages.hear(moment, wanted, session.message); }
-    const std::string& shown() const { return session.message.text; }
-    void close() { session.message.text.clear(); }
+    Answer hear(const Moment& moment, long long wanted) { return messages.hear(moment, wanted, app.message); }
+    const std::string& shown() const { return app.message.text; }
+    void close() { app.message.text.clear(); }
 };
 
 }  // namespace
@@ -54,8 +54,8 @@ TEST_CASE("a refusal is told once while the run goes on, and closing it closes i
     Window window;
     CHECK(window.hear(refused(0, 1, "too large"), 1) == Answer::refused);
     CHECK(window.shown() == "too large");
-    CHECK(window.session.message.trouble);
-    CHECK(window.session.message.seconds_left == 0.0);
+    CHECK(window.app.message.trouble);
+    CHECK(window.app.message.seconds_left == 0.0);
     window.close();
     for (int frame = 0; frame < 100; ++frame) {
         CHECK(window.hear(refused(0, 1, "too large"), 1) == Answer::none);
@@ -74,7 +74,7 @@ TEST_CASE("the next refusal is told again, in the same words too") {
 TEST_CASE("a later message takes a refusal's place and stays") {
     Window window;
     window.hear(refused(0, 1, "too large"), 1);
-    say(window.session, Message::Cause::save, "Saved it", false);
+    say(window.app, Message::Cause::save, "Saved it", false);
     window.hear(refused(0, 1, "too large"), 1);
     CHECK(window.shown() == "Saved it");
     // That the refused scene gave way to a good one is no reason to take it away.
@@ -119,7 +119,7 @@ TEST_CASE("a standstill is told once, can be closed, and its message goes when t
 TEST_CASE("a run that goes on leaves other messages alone") {
     Window window;
     window.hear(diverged(0, "it stands"), 0);
-    say(window.session, Message::Cause::save, "Saved it", false);
+    say(window.app, Message::Cause::save, "Saved it", false);
     window.hear(running(1), 1);
     CHECK(window.shown() == "Saved it");
 }
@@ -140,8 +140,8 @@ TEST_CASE("a lowered step is told once a scene, as a sentence that goes by itsel
     Window window;
     window.hear(lowered(0, "it creates energy"), 0);
     CHECK(window.shown() == "It creates energy.");
-    CHECK(!window.session.message.trouble);
-    CHECK(window.session.message.seconds_left > 0.0);
+    CHECK(!window.app.message.trouble);
+    CHECK(window.app.message.seconds_left > 0.0);
     window.close();
     for (const std::string why : {"it creates energy", "", "it creates more energy"}) {
         window.hear(lowered(0, why), 0);
@@ -177,19 +177,19 @@ TEST_CASE("what ends a cause closes its message and no other") {
                             Cause::refusal, Cause::standstill, Cause::lowered};
     for (const Cause told : causes)
         for (const Cause ended : causes) {
-            Session session;
-            say(session, told, "no such image", true);
-            close_if(session.message, ended);
-            CHECK(session.message.text == (told == ended ? "" : "no such image"));
+            AppState app;
+            say(app, told, "no such image", true);
+            close_if(app.message, ended);
+            CHECK(app.message.text == (told == ended ? "" : "no such image"));
         }
 }
 
 TEST_CASE("why a run stands can be told again after its message was closed, and goes when the run goes on") {
     Window window;
     window.hear(diverged(0, "it stands"), 0);
-    window.session.status.divergence = diverged(0, "it stands").divergence;
+    window.app.status.divergence = diverged(0, "it stands").divergence;
     window.close();
-    say_why_it_stands(window.session);
+    say_why_it_stands(window.app);
     CHECK(window.shown() == "it stands");
     window.hear(diverged(0, "it stands"), 0);
     CHECK(window.shown() == "it stands");
@@ -198,7 +198,7 @@ TEST_CASE("why a run stands can be told again after its message was closed, and 
 }
 
 TEST_CASE("the message box shows what its text holds, also what cannot be seen") {
-    Session session;
-    say(session, Message::Cause::save, "Saved /home/a\n\x1b[2J\xFF", false);
-    CHECK(session.message.shown() == "Saved /home/a\\n\\x1b[2J\\xff");
+    AppState app;
+    say(app, Message::Cause::save, "Saved /home/a\n\x1b[2J\xFF", false);
+    CHECK(app.message.shown() == "Saved /home/a\\n\\x1b[2J\\xff");
 }

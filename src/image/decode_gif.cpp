@@ -1,4 +1,4 @@
-// GIF by giflib: the first frame on its canvas. What follows that frame is not looked at.
+// GIF by giflib: the first frame on its target. What follows that frame is not looked at.
 #include "image/decoders.hpp"
 
 #include "io/error.hpp"

@@ -1,4 +1,4 @@
-// WebP by libwebp: a still picture, or the first frame of an animation on its canvas.
+// WebP by libwebp: a still picture, or the first frame of an animation on its target.
 #include "image/decoders.hpp"
 
 #include "io/error.hpp"
@@ -46,7 +46,7 @@ Image decode_webp(Bytes bytes, const std::stop_token& stop) {
     const WebPIterator& at = frame.at;
     if (at.x_offset < 0 || at.y_offset < 0 || at.width <= 0 || at.height <= 0 || at.x_offset + at.width > int(width) ||
         at.y_offset + at.height > int(height))
-        fail_decoding("its first frame lies outside its canvas");
+        fail_decoding("its first frame lies outside its target");
 
     Image image = blank_image(int(width), int(height));
     WebPDecoderConfig config;

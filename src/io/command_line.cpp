@@ -21,8 +21,15 @@ void refuse_empty_values(CLI::App& app) {
     for (CLI::App* command : app.get_subcommands({})) refuse_empty_values(*command);
 }
 
+const CLI::Option* find_option(const CLI::App& app, const std::string& name) {
+    if (const CLI::Option* option = app.get_option_no_throw(name)) return option;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        if (const CLI::Option* option = command->get_option_no_throw(name)) return option;
+    return nullptr;
+}
+
 /// The words after the program's name. "--film=" is "--film" and an empty value: CLI11 would take the next word for it.
-std::vector<std::string> words_of(int count, char** words) {
+std::vector<std::string> words_of(const CLI::App& app, int count, char** words) {
     std::vector<std::string> all;
     bool options_over = false;
     for (int i = 1; i < count; ++i) {
@@ -30,6 +37,8 @@ std::vector<std::string> words_of(int count, char** words) {
         options_over = options_over || word == "--";
         const bool cut_off = !options_over && word.starts_with("--") && word.find('=') == word.size() - 1;
         if (cut_off) word.pop_back();
+        const CLI::Option* option = cut_off ? find_option(app, word) : nullptr;
+        if (option && option->get_items_expected_max() == 0) throw CLI::ArgumentMismatch(word + " takes no value");
         all.push_back(word);
         if (cut_off) all.emplace_back();
     }
@@ -69,7 +78,7 @@ void add_assignments(CLI::App& app, std::vector<std::string>& assignments) {
 
 void parse(CLI::App& app, int count, char** words) {
     refuse_empty_values(app);
-    std::vector<std::string> all = words_of(count, words);
+    std::vector<std::string> all = words_of(app, count, words);
     std::reverse(all.begin(), all.end());  // as CLI11 takes them
     app.parse(all);
 }

@@ -14,11 +14,11 @@ constexpr double double_click_seconds = 0.4;
 constexpr float double_click_pixels = 6.0f;
 constexpr float arrow_pixels = 20.0f;  // an arrow key turns as far as this drag
 
-void load_dropped(const std::string& file, Session& session) {
+void load_dropped(const std::string& file, AppState& app) {
     if (ending_of(meant_path(file)) == ".toml")
-        session.wishes.load_scene = file;
+        app.commands.load_scene = file;
     else
-        session.wishes.load_texture = file;
+        app.commands.load_texture = file;
 }
 
 void toggle(bool& value) {
@@ -26,16 +26,16 @@ void toggle(bool& value) {
 }
 
 /// Whether the key does something whatever it types.
-bool named_key(Key key, Session& session, Camera& camera) {
+bool named_key(Key key, AppState& app, Camera& camera) {
     switch (key) {
         case Key::space:
-            toggle(session.paused);
+            toggle(app.paused);
             return true;
         case Key::f1:
-            toggle(session.help_shown);
+            toggle(app.help_shown);
             return true;
         case Key::home:
-            session.wishes.reset_camera = true;
+            app.commands.reset_camera = true;
             return true;
         case Key::left:
             camera.turn({-arrow_pixels, 0.0f});
@@ -56,13 +56,13 @@ bool named_key(Key key, Session& session, Camera& camera) {
             camera.closer(-1.0f);
             return true;
         case Key::keypad_decimal:
-            session.wishes.step = true;
+            app.commands.step = true;
             return true;
         case Key::escape:
-            close_one(session);
+            close_one(app);
             return true;
         case Key::enter:
-            agree(session);
+            agree(app);
             return true;
         case Key::other:
             break;
@@ -71,10 +71,10 @@ bool named_key(Key key, Session& session, Camera& camera) {
 }
 
 /// Whether the character does something, whichever key types it.
-bool symbol(char32_t typed, Session& session, Camera& camera) {
+bool symbol(char32_t typed, AppState& app, Camera& camera) {
     switch (typed) {
         case U'.':
-            session.wishes.step = true;
+            app.commands.step = true;
             return true;
         case U'+':
         case U'=':
@@ -88,11 +88,11 @@ bool symbol(char32_t typed, Session& session, Camera& camera) {
     }
 }
 
-void letter_key(char letter, Session& session) {
-    ViewSettings& view = session.scene.view;
+void letter_key(char letter, AppState& app) {
+    ViewSettings& view = app.scene.view;
     switch (letter) {
         case 'r':
-            session.wishes.restart = true;
+            app.commands.restart = true;
             break;
         case 't':
             toggle(view.texture);
@@ -110,13 +110,13 @@ void letter_key(char letter, Session& session) {
             toggle(view.cloth);
             break;
         case 'd':
-            toggle_diagonals(session);
+            toggle_diagonals(app);
             break;
         case 'h':
-            session.toggle_panel();
+            app.toggle_panel();
             break;
         case 'p':
-            session.wishes.screenshot = true;
+            app.commands.screenshot = true;
             break;
         default:
             break;
@@ -125,40 +125,40 @@ void letter_key(char letter, Session& session) {
 
 }  // namespace
 
-void Controls::apply(const std::vector<InputEvent>& events, const Claims& claims, const Framing& framing,
-                     Session& session, Camera& camera) {
+void Controls::apply(const std::vector<InputEvent>& events, const Claims& claims, const Framing& framing, AppState& app,
+                     Camera& camera) {
     using Kind = InputEvent::Kind;
     for (std::size_t i = 0; i < events.size(); ++i) {
         const InputEvent& event = events[i];
-        const bool on_panel = std::any_of(session.claimed.begin(), session.claimed.end(),
+        const bool on_panel = std::any_of(app.claimed.begin(), app.claimed.end(),
                                           [&](const Area& area) { return area.contains(event.at); });
         const bool claimed = claims.mouse || on_panel;
         switch (event.kind) {
             case Kind::press:
-                press(event, claimed, session);
+                press(event, claimed, app);
                 break;
             case Kind::release:
                 drag_ = Drag::none;
                 break;
             case Kind::move:
                 if (drag_ == Drag::turn) camera.turn(event.at - last_);
-                if (drag_ == Drag::slide) camera.slide(event.at - last_, framing, session.view_area);
+                if (drag_ == Drag::slide) camera.slide(event.at - last_, framing, app.view_area);
                 last_ = event.at;
                 break;
             case Kind::scroll:
                 if (!claimed) camera.closer(event.amount);
                 break;
             case Kind::drop:
-                load_dropped(event.file, session);
+                load_dropped(event.file, app);
                 break;
             case Kind::key: {
                 const bool types = i + 1 < events.size() && events[i + 1].kind == Kind::character;
                 if (types) ++i;  // part of this press
-                if (!claims.keyboard) key(event, types ? events[i].typed : 0, session, camera);
+                if (!claims.keyboard) key(event, types ? events[i].typed : 0, app, camera);
                 break;
             }
             case Kind::character:
-                if (!claims.keyboard) symbol(event.typed, session, camera);
+                if (!claims.keyboard) symbol(event.typed, app, camera);
                 break;
             case Kind::key_up:
             case Kind::window:
@@ -167,7 +167,7 @@ void Controls::apply(const std::vector<InputEvent>& events, const Claims& claims
     }
 }
 
-void Controls::press(const InputEvent& event, bool claimed, Session& session) {
+void Controls::press(const InputEvent& event, bool claimed, AppState& app) {
     drag_ = Drag::none;
     if (claimed) return;
     last_ = event.at;
@@ -176,20 +176,20 @@ void Controls::press(const InputEvent& event, bool claimed, Session& session) {
     drag_ = Drag::turn;
     const bool twice =
         event.time - pressed_time_ < double_click_seconds && glm::length(event.at - pressed_at_) < double_click_pixels;
-    if (twice) session.wishes.reset_camera = true;
+    if (twice) app.commands.reset_camera = true;
     pressed_time_ = twice ? -1e6 : event.time;
     pressed_at_ = event.at;
 }
 
 // One press does one thing: what the key is, else what it types, else its letter.
-void Controls::key(const InputEvent& event, char32_t typed, Session& session, Camera& camera) {
-    if (named_key(event.key, session, camera)) return;
+void Controls::key(const InputEvent& event, char32_t typed, AppState& app, Camera& camera) {
+    if (named_key(event.key, app, camera)) return;
     if (event.control) {
         if (event.letter == 'q' || event.letter == 'w') quit_ = true;
         return;
     }
-    if (event.desktop || symbol(typed, session, camera)) return;
-    letter_key(event.letter, session);
+    if (event.desktop || symbol(typed, app, camera)) return;
+    letter_key(event.letter, app);
 }
 
 }  // namespace drapeau

@@ -1,9 +1,9 @@
-// Controls: what mouse and keys do to the camera and the session. A drag that begins on a panel stays with the panel.
+// Controls: what mouse and keys do to the camera and the app. A drag that begins on a panel stays with the panel.
 #pragma once
 
 #include "camera.hpp"
 #include "input.hpp"
-#include "session.hpp"
+#include "app_state.hpp"
 
 #include <vector>
 
@@ -16,7 +16,7 @@ struct Claims {
 
 class Controls {
 public:
-    void apply(const std::vector<InputEvent>& events, const Claims& claims, const Framing& framing, Session& session,
+    void apply(const std::vector<InputEvent>& events, const Claims& claims, const Framing& framing, AppState& app,
                Camera& camera);
 
     bool wants_to_quit() const { return quit_; }
@@ -24,8 +24,8 @@ public:
 private:
     enum class Drag { none, turn, slide };
 
-    void press(const InputEvent& event, bool claimed, Session& session);
-    void key(const InputEvent& event, char32_t typed, Session& session, Camera& camera);
+    void press(const InputEvent& event, bool claimed, AppState& app);
+    void key(const InputEvent& event, char32_t typed, AppState& app, Camera& camera);
 
     Drag drag_ = Drag::none;
     glm::vec2 last_{0.0f};  // the mouse, at the last event of the drag

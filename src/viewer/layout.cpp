@@ -12,15 +12,15 @@ constexpr float opened_share = 0.62f;                             // of a narrow
 
 }  // namespace
 
-void lay_out(Session& session, float width, float height, float scale) {
+void lay_out(AppState& app, float width, float height, float scale) {
     const float gap = margin * scale, half = 0.5f * width - gap;
-    session.panel_area = {};
-    session.view_area = {0.0f, 0.0f, width, height};
-    session.narrow = half < narrowest_panel * scale;
-    if (!session.panel_open()) return;
-    const float panel = std::min(widest_panel * scale, session.narrow ? opened_share * width - gap : half);
-    session.panel_area = {gap, gap, gap + panel, height - gap};
-    session.view_area.x0 = session.panel_area.x1;
+    app.panel_area = {};
+    app.view_area = {0.0f, 0.0f, width, height};
+    app.narrow = half < narrowest_panel * scale;
+    if (!app.panel_open()) return;
+    const float panel = std::min(widest_panel * scale, app.narrow ? opened_share * width - gap : half);
+    app.panel_area = {gap, gap, gap + panel, height - gap};
+    app.view_area.x0 = app.panel_area.x1;
 }
 
 }  // namespace drapeau

@@ -2,11 +2,11 @@
 // window too narrow for that it steps aside: it is opened over part of the view, and the flag moves into the rest.
 #pragma once
 
-#include "session.hpp"
+#include "app_state.hpp"
 
 namespace drapeau {
 
-/// Sets the session's areas, known before anything is drawn. `scale`: how much larger than usual text is.
-void lay_out(Session& session, float width, float height, float scale);
+/// Sets the areas of panel and flag, known before anything is drawn. `scale`: how much larger than usual text is.
+void lay_out(AppState& app, float width, float height, float scale);
 
 }  // namespace drapeau

@@ -23,29 +23,15 @@ constexpr const char* notes =
     "Example: drapeau storm --frames 600 --film storm.mp4\n"
     "Exit status: 0 good, 1 a failure, 2 bad input, 3 a run with --frames that diverged.";
 
-/// A whole number and nothing else, or -1.
-long long whole_number(const std::string& text) {
-    if (text.empty() || text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos) return -1;
-    return std::stoll(text);
-}
-
-int frames_from(const std::string& text) {
-    const long long frames = whole_number(text);
-    if (frames < 1 || frames > max_frames)
-        throw InputError("--frames = " + one_line(text, 60) + ": a whole number from 1 to " +
-                         std::to_string(max_frames));
-    return int(frames);
-}
-
 void size_from(const std::string& text, Options& options) {
     const auto cross = text.find('x');
-    const long long width = whole_number(text.substr(0, cross));
-    const long long height = cross == std::string::npos ? -1 : whole_number(text.substr(cross + 1));
-    if (std::min(width, height) < min_side || std::max(width, height) > max_side)
+    std::string width = text.substr(0, cross), height = cross == std::string::npos ? "" : text.substr(cross + 1);
+    const CLI::Validator side = whole_number(min_side, max_side);
+    if (!side(width).empty() || !side(height).empty())
         throw InputError("--size = " + one_line(text, 60) + ": WIDTHxHEIGHT, each from " + std::to_string(min_side) +
                          " to " + std::to_string(max_side) + " pixels");
-    options.width = int(width);
-    options.height = int(height);
+    options.width = std::stoi(width);
+    options.height = std::stoi(height);
     options.size_given = true;
 }
 
@@ -70,11 +56,13 @@ void check(const Options& options) {
 
 std::optional<int> read_options(int count, char** words, Options& options) {
     CLI::App app("drapeau: a flag of masses and springs that flies, and says how far it can be trusted", "drapeau");
-    std::string frames, size;
+    std::string size;
     bool scene_list = false;
     take_as_path(app.add_option("SCENE", options.scene, "a scene file, or the name of a shipped scene (report)"));
-    app.add_option("--frames", frames, "draw N frames of 1/60 s simulated time each, then exit; repeatable exactly")
-        ->type_name("N");
+    app.add_option("--frames", options.frames,
+                   "draw N frames of 1/60 s simulated time each, then exit; repeatable exactly")
+        ->type_name("N")
+        ->check(whole_number(1, max_frames));
     take_as_path(app.add_option("--screenshot", options.screenshot, "with --frames: the last frame as PNG")
                      ->type_name("FILE.png"));
     take_as_path(app.add_option("--film", options.film,
@@ -99,7 +87,6 @@ std::optional<int> read_options(int count, char** words, Options& options) {
     app.footer(notes);
     try {
         parse(app, count, words);
-        if (!frames.empty()) options.frames = frames_from(frames);
         if (!size.empty()) size_from(size, options);
         check(options);
     } catch (const CLI::Success& done) {

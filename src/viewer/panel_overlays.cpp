@@ -38,9 +38,9 @@ constexpr const char* keys[][2] = {{"Left drag", "turn"},
                                    {"Ctrl Q", "quit"},
                                    {"Drop a file", "an image or a scene"}};
 
-void claim_window(Session& session) {
+void claim_window(AppState& app) {
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-    session.claimed.push_back({low.x, low.y, low.x + size.x, low.y + size.y});
+    app.claimed.push_back({low.x, low.y, low.x + size.x, low.y + size.y});
 }
 
 void place_at_top(const Area& view) {
@@ -66,27 +66,27 @@ std::string stopped_because(const Status& status) {
 }
 
 /// In the place of a closed message, as long as the run stands.
-void draw_standstill(Session& session, Widgets& widgets) {
-    place_at_top(session.view_area);
+void draw_standstill(AppState& app, Widgets& widgets) {
+    place_at_top(app.view_area);
     ImGui::Begin("standstill", nullptr, box_flags);
     if (widgets.button("Stopped", "Opens the message that says why the run stopped, and what helps.", 0.0f,
-                       stopped_because(session.status).c_str()))
-        say_why_it_stands(session);
-    claim_window(session);
+                       stopped_because(app.status).c_str()))
+        say_why_it_stands(app);
+    claim_window(app);
     ImGui::End();
 }
 
 }  // namespace
 
-void draw_message(Session& session, Widgets& widgets) {
-    Message& message = session.message;
+void draw_message(AppState& app, Widgets& widgets) {
+    Message& message = app.message;
     if (message.text.empty()) {
-        if (session.status.stands()) draw_standstill(session, widgets);
+        if (app.status.stands()) draw_standstill(app, widgets);
         return;
     }
     const float scale = ImGui::GetFontSize() / usual_font;
-    const float width = std::min(620.0f * scale, session.view_area.width() - 24.0f * scale);
-    place_at_top(session.view_area);
+    const float width = std::min(620.0f * scale, app.view_area.width() - 24.0f * scale);
+    place_at_top(app.view_area);
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {width, 1e4f});
     ImGui::Begin("message", nullptr, box_flags);
     const ImVec4 color = message.trouble ? ImVec4(1.0f, 0.72f, 0.45f, 1.0f) : ImVec4(0.66f, 0.90f, 0.72f, 1.0f);
@@ -95,15 +95,15 @@ void draw_message(Session& session, Widgets& widgets) {
     ImGui::TextUnformatted(message.shown().c_str());
     ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
-    const auto& divergence = session.status.divergence;
+    const auto& divergence = app.status.divergence;
     if (message.cause == Message::Cause::standstill && divergence && divergence->safe_dt > 0.0) {
         const std::string tip = "Sets the step to " + quantity(divergence->safe_dt, "s") +
                                 ", which was tried from the last good state and held, and goes on there.";
-        if (widgets.button("Use the safe step", tip.c_str())) session.wishes.use_safe_step = true;
+        if (widgets.button("Use the safe step", tip.c_str())) app.commands.use_safe_step = true;
         ImGui::SameLine();
     }
     const bool closed = widgets.button("Close", "Key Esc");
-    claim_window(session);
+    claim_window(app);
     ImGui::End();
     if (message.seconds_left > 0.0) {
         message.seconds_left -= double(ImGui::GetIO().DeltaTime);
@@ -112,35 +112,35 @@ void draw_message(Session& session, Widgets& widgets) {
     if (closed) message.text.clear();
 }
 
-void draw_question(Session& session, Widgets& widgets) {
-    if (!session.question) return;
-    const Area& view = session.view_area;
+void draw_question(AppState& app, Widgets& widgets) {
+    if (!app.question) return;
+    const Area& view = app.view_area;
     const float scale = ImGui::GetFontSize() / usual_font;
     const float width = std::min(520.0f * scale, view.width() - 24.0f * scale);
     ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, (view.y0 + view.y1) / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {width, 1e4f});
     ImGui::Begin("question", nullptr, box_flags);
     ImGui::PushTextWrapPos(width - 30.0f);
-    ImGui::TextUnformatted(printable(session.question->text).c_str());
+    ImGui::TextUnformatted(printable(app.question->text).c_str());
     ImGui::PopTextWrapPos();
     const bool agreed =
         widgets.button("Overwrite", "What the file holds is replaced. Key Enter", 0.0f, "Overwrite (Enter)");
     ImGui::SameLine();
     const bool declined =
         widgets.button("Cancel", "Nothing is saved, and the file stays as it is. Key Esc", 0.0f, "Cancel (Esc)");
-    claim_window(session);
+    claim_window(app);
     ImGui::End();
-    if (agreed) agree(session);
-    if (declined) session.question.reset();
+    if (agreed) agree(app);
+    if (declined) app.question.reset();
 }
 
-void draw_activity(const Session& session) {
-    const Status& status = session.status;
+void draw_activity(const AppState& app) {
+    const Status& status = app.status;
     std::string text;
     if (!status.loading.empty()) text = "Loading " + printable(status.loading) + "...";
     if (status.settling) text += std::string(text.empty() ? "" : "\n") + "Settling...";
     if (text.empty()) return;
-    const Area& view = session.view_area;
+    const Area& view = app.view_area;
     const float line = ImGui::GetTextLineHeight();  // above the scale of the force colours
     ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, view.y1 - 6.0f * line}, ImGuiCond_Always, {0.5f, 1.0f});
     ImGui::Begin("activity", nullptr, box_flags | ImGuiWindowFlags_NoInputs);
@@ -148,10 +148,10 @@ void draw_activity(const Session& session) {
     ImGui::End();
 }
 
-void draw_help(Session& session, Widgets& widgets) {
-    if (!session.help_shown) return;
-    Area view = session.view_area;
-    if (session.narrow) view.x0 = 0.0f;  // over an opened panel too: beside it the list has no room
+void draw_help(AppState& app, Widgets& widgets) {
+    if (!app.help_shown) return;
+    Area view = app.view_area;
+    if (app.narrow) view.x0 = 0.0f;  // over an opened panel too: beside it the list has no room
     ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, (view.y0 + view.y1) / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {view.width(), view.height()});  // scrolls where it is cut off
     ImGui::Begin("keys", nullptr, box_flags);
@@ -162,13 +162,13 @@ void draw_help(Session& session, Widgets& widgets) {
         ImGui::TextDisabled("%s", meaning);
     }
     ImGui::Spacing();
-    if (widgets.button("Close keys", "Key Esc")) session.help_shown = false;
-    claim_window(session);
+    if (widgets.button("Close keys", "Key Esc")) app.help_shown = false;
+    claim_window(app);
     ImGui::End();
 }
 
-void draw_legend(const Session& session) {
-    const Area& view = session.view_area;
+void draw_legend(const AppState& app) {
+    const Area& view = app.view_area;
     const float scale = ImGui::GetFontSize() / usual_font;
     const float width = std::min(300.0f * scale, view.width() - 60.0f), height = 12.0f * scale;
     const float line = ImGui::GetTextLineHeight();
@@ -197,8 +197,8 @@ void draw_legend(const Session& session) {
                                       color_at(step + 1), color_at(step));
     }
     char low[16] = "0 N", middle[40], high[40];
-    std::snprintf(middle, sizeof middle, "%.3g N", session.status.force_scale / 2.0);
-    std::snprintf(high, sizeof high, "%.3g N", session.status.force_scale);
+    std::snprintf(middle, sizeof middle, "%.3g N", app.status.force_scale / 2.0);
+    std::snprintf(high, sizeof high, "%.3g N", app.status.force_scale);
     const float under = top + height + 3.0f * scale;
     list->AddText({left, under}, text, low);
     list->AddText({left + (width - ImGui::CalcTextSize(middle).x) / 2.0f, under}, text, middle);

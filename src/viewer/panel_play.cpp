@@ -13,25 +13,25 @@ using namespace settings;
 
 namespace {
 
-void choose_scene(Session& session, Widgets& widgets) {
-    const auto stem = session.scene_file.stem().string();
-    const auto found = std::find(session.scene_names.begin(), session.scene_names.end(), stem);
-    std::vector<std::string> names = session.scene_names;
-    int index = int(found - session.scene_names.begin());
-    if (found == session.scene_names.end()) names.push_back(stem);
+void choose_scene(AppState& app, Widgets& widgets) {
+    const auto stem = app.scene_file.stem().string();
+    const auto found = std::find(app.scene_names.begin(), app.scene_names.end(), stem);
+    std::vector<std::string> names = app.scene_names;
+    int index = int(found - app.scene_names.begin());
+    if (found == app.scene_names.end()) names.push_back(stem);
     const std::string tip = "A scene sets everything at once. A scene file can also be dropped on the window.";
-    if (widgets.choice("Scene", index, names, -1, tip.c_str())) session.wishes.load_scene = names[std::size_t(index)];
+    if (widgets.choice("Scene", index, names, -1, tip.c_str())) app.commands.load_scene = names[std::size_t(index)];
 }
 
-void choose_view(Session& session, Widgets& widgets) {
-    ViewSettings& view = session.scene.view;
+void choose_view(AppState& app, Widgets& widgets) {
+    ViewSettings& view = app.scene.view;
     const float half = ImGui::GetContentRegionAvail().x * 0.5f;
     const auto toggle = [&](bool ViewSettings::*member) {
-        edit(widgets, "view", row_of(member, view_keys), view, session.origin.view);
+        edit(widgets, "view", row_of(member, view_keys), view, app.origin.view);
     };
     toggle(&ViewSettings::texture);
     ImGui::SameLine(half);
-    ImGui::BeginDisabled(!session.status.image_has_holes);
+    ImGui::BeginDisabled(!app.status.image_has_holes);
     toggle(&ViewSettings::cut_out);
     ImGui::EndDisabled();
     toggle(&ViewSettings::cloth);
@@ -39,30 +39,30 @@ void choose_view(Session& session, Widgets& widgets) {
     toggle(&ViewSettings::masses);
     toggle(&ViewSettings::springs);
     ImGui::SameLine(half);
-    bool diagonals = session.scene.springs.diagonal_stiffness.has_value();
+    bool diagonals = app.scene.springs.diagonal_stiffness.has_value();
     if (widgets.toggle(
             "Diagonals", diagonals,
             "Diagonal springs, simulated and drawn. They resist shear and double the number of springs. Key D"))
-        toggle_diagonals(session);
+        toggle_diagonals(app);
     toggle(&ViewSettings::forces);
 }
 
 }  // namespace
 
-void draw_play(Session& session, Widgets& widgets) {
-    choose_scene(session, widgets);
+void draw_play(AppState& app, Widgets& widgets) {
+    choose_scene(app, widgets);
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     const float third = (ImGui::GetContentRegionAvail().x - 2.0f * spacing) / 3.0f;
     if (widgets.button("Pause", "Stops simulated time, or lets it go on. Key Space", third,
-                       session.paused ? "Go on###pause" : "Pause###pause"))
-        session.paused = !session.paused;
+                       app.paused ? "Go on###pause" : "Pause###pause"))
+        app.paused = !app.paused;
     ImGui::SameLine();
-    if (widgets.button("Step", "Takes one step of the method while paused. Key .", third)) session.wishes.step = true;
+    if (widgets.button("Step", "Takes one step of the method while paused. Key .", third)) app.commands.step = true;
     ImGui::SameLine();
     if (widgets.button("Restart", "Begins again at the scene's start, with the current settings. Key R", third))
-        session.wishes.restart = true;
+        app.commands.restart = true;
     ImGui::Spacing();
-    choose_view(session, widgets);
+    choose_view(app, widgets);
 }
 
 }  // namespace drapeau

@@ -27,10 +27,10 @@ constexpr const char* none = "\xe2\x80\x93";
     return text;
 }
 
-std::string pace_of(const Session& session) {
-    const Status& s = session.status;
+std::string pace_of(const AppState& app) {
+    const Status& s = app.status;
     if (s.stands()) return "stopped";
-    if (session.paused) return "paused";
+    if (app.paused) return "paused";
     if (!s.clock || s.real_time_factor <= 0.0) return none;
     return written("real time \xc3\x97 %.2f", s.real_time_factor);
 }
@@ -50,8 +50,8 @@ struct Remark {
     const char* tip;
 };
 
-std::vector<Remark> remarks_on(const Session& session) {
-    const Status& s = session.status;
+std::vector<Remark> remarks_on(const AppState& app) {
+    const Status& s = app.status;
     std::vector<Remark> remarks;
     if (s.stands()) return remarks;
     if (!s.lowered_because.empty())
@@ -68,7 +68,7 @@ std::vector<Remark> remarks_on(const Session& session) {
                            "coarser grid or softer springs need less."});
     constexpr double slow = 3.0;
     if (s.clock && s.times_slower() > slow) {
-        const bool forward = session.scene.time.method == method_id<ForwardEuler>;
+        const bool forward = app.scene.time.method == method_id<ForwardEuler>;
         remarks.push_back({"Slow",
                            quantity(s.dt, "s") + " steps: " + rounded(s.times_slower(), 2) +
                                " times slower than real time. " +
@@ -127,25 +127,25 @@ void show_limit(const PassReport& did, double limit, Widgets& widgets) {
 
 }  // namespace
 
-float readings_height(const Session& session) {
+float readings_height(const AppState& app) {
     float lines = 7.6f;
-    if (session.status.limit) lines += 1.0f;
+    if (app.status.limit) lines += 1.0f;
     float height = lines * ImGui::GetTextLineHeightWithSpacing();
-    for (const Remark& remark : remarks_on(session))
+    for (const Remark& remark : remarks_on(app))
         height += ImGui::CalcTextSize(remark.text.c_str(), nullptr, false, ImGui::GetContentRegionAvail().x).y +
                   ImGui::GetStyle().ItemSpacing.y;
     return height;
 }
 
-void draw_readings(const Session& session, Widgets& widgets) {
-    const Status& s = session.status;
-    widgets.reading("Time", written("%.2f s   ", s.time) + pace_of(session),
+void draw_readings(const AppState& app, Widgets& widgets) {
+    const Status& s = app.status;
+    widgets.reading("Time", written("%.2f s   ", s.time) + pace_of(app),
                     "Simulated time, and how fast it passes against the wall clock. Below 1 the computer cannot keep "
                     "up: the flag moves slower, but no step is skipped.");
     widgets.reading("Step", s.dt > 0.0 ? quantity(s.dt, "s") + written(",  %lld per frame", s.steps_per_batch) : none,
                     "The step in use. A frame is 1/60 s of simulated time.");
     show_stability(s, widgets);
-    for (const Remark& remark : remarks_on(session)) widgets.remark(remark.label, remark.text, remark.tip);
+    for (const Remark& remark : remarks_on(app)) widgets.remark(remark.label, remark.text, remark.tip);
     widgets.reading("Work", (s.clock ? quantity(s.step_seconds, "s") : std::string(none)) + " a step",
                     "Wall-clock time of one step.");
     widgets.reading("Frame", s.clock ? quantity(s.frame_seconds, "s") : std::string(none),

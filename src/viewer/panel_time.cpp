@@ -25,17 +25,17 @@ std::string about_methods() {
     return text;
 }
 
-void edit_method(Session& session, Widgets& widgets) {
+void edit_method(AppState& app, Widgets& widgets) {
     static const std::string about = about_methods();
-    TimeSettings& time = session.scene.time;
-    const TimeSettings& origin = session.origin.time;
+    TimeSettings& time = app.scene.time;
+    const TimeSettings& origin = app.origin.time;
     edit(widgets, row_of(&TimeSettings::method, time_keys), about, time.method, origin.method);
     edit(widgets, "time", row_of(&TimeSettings::precision, time_keys), time, origin);
 }
 
-void edit_step(Session& session, Widgets& widgets) {
-    auto& dt = session.scene.time.dt;
-    const Status& status = session.status;
+void edit_step(AppState& app, Widgets& widgets) {
+    auto& dt = app.scene.time.dt;
+    const Status& status = app.status;
     bool automatic = !dt;
     if (widgets.toggle(
             "Step chosen automatically", automatic,
@@ -44,32 +44,31 @@ void edit_step(Session& session, Widgets& widgets) {
         dt = automatic ? std::nullopt : std::optional(status.dt > 0.0 ? status.dt : 1e-4);
     if (!dt) return;
     const auto row = row_of(&TimeSettings::dt, time_keys);
-    edit(widgets, row, tip_of("time", row.key, row.about), *dt, session.origin.time.dt.value_or(*dt));
+    edit(widgets, row, tip_of("time", row.key, row.about), *dt, app.origin.time.dt.value_or(*dt));
 }
 
 }  // namespace
 
-void draw_time_page(Session& session, PanelMemory& memory, Widgets& widgets) {
-    edit_method(session, widgets);
-    edit_step(session, widgets);
+void draw_time_page(AppState& app, PanelMemory& memory, Widgets& widgets) {
+    edit_method(app, widgets);
+    edit_step(app, widgets);
     ImGui::Spacing();
     ImGui::Separator();
     ImGui::Spacing();
     if (widgets.text("Scene file", memory.scene_text, "path or name, then Enter",
                      "Opens a scene file, or a scene by its name."))
-        session.wishes.load_scene = memory.scene_text;
+        app.commands.load_scene = memory.scene_text;
     if (widgets.text("Save as", memory.save_text, "my-flag.toml", "The file for all current settings; Enter saves."))
-        session.wishes.save_scene = memory.save_text;
+        app.commands.save_scene = memory.save_text;
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;
     if (widgets.button("Save scene", "Saves all current settings in the file named above.", half))
-        session.wishes.save_scene = memory.save_text;
+        app.commands.save_scene = memory.save_text;
     ImGui::SameLine();
-    if (widgets.button("Reset all", "Sets everything back to the scene's values.", half))
-        session.scene = session.origin;
+    if (widgets.button("Reset all", "Sets everything back to the scene's values.", half)) app.scene = app.origin;
     if (widgets.button("Screenshot", "Saves a PNG in the working directory. Key P", half))
-        session.wishes.screenshot = true;
+        app.commands.screenshot = true;
     ImGui::SameLine();
-    if (widgets.button("Keys", "The list of keys. Key F1", half)) session.help_shown = !session.help_shown;
+    if (widgets.button("Keys", "The list of keys. Key F1", half)) app.help_shown = !app.help_shown;
 }
 
 }  // namespace drapeau

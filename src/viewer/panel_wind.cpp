@@ -44,9 +44,9 @@ void edit_mean(Wind& wind, const Wind& origin, PanelMemory& memory, Widgets& wid
 
 }  // namespace
 
-void draw_wind_page(Session& session, PanelMemory& memory, Widgets& widgets) {
-    auto& wind = session.scene.wind();
-    const Wind origin = session.origin.wind().value_or(Wind{});
+void draw_wind_page(AppState& app, PanelMemory& memory, Widgets& widgets) {
+    auto& wind = app.scene.wind();
+    const Wind origin = app.origin.wind().value_or(Wind{});
     if (switch_table(widgets, Wind::name, remark_on<Wind>, wind.has_value()))
         wind = wind ? std::nullopt : std::optional(origin);
     if (!wind) return;

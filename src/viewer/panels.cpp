@@ -6,44 +6,44 @@ namespace drapeau {
 
 namespace {
 
-void draw_page(Session& session, PanelMemory& memory, Widgets& widgets) {
+void draw_page(AppState& app, PanelMemory& memory, Widgets& widgets) {
     switch (memory.page) {
         case 0:
-            draw_flag_page(session, memory, widgets);
+            draw_flag_page(app, memory, widgets);
             break;
         case 1:
-            draw_springs_page(session, widgets);
+            draw_springs_page(app, widgets);
             break;
         case 2:
-            draw_wind_page(session, memory, widgets);
+            draw_wind_page(app, memory, widgets);
             break;
         default:
-            draw_time_page(session, memory, widgets);
+            draw_time_page(app, memory, widgets);
             break;
     }
 }
 
 // Where there is room the page scrolls and the rest stays in sight, else the panel scrolls as a whole: never both.
-void draw_page_and_readings(Session& session, PanelMemory& memory, Widgets& widgets) {
-    const float page_height = ImGui::GetContentRegionAvail().y - readings_height(session);
+void draw_page_and_readings(AppState& app, PanelMemory& memory, Widgets& widgets) {
+    const float page_height = ImGui::GetContentRegionAvail().y - readings_height(app);
     const bool scrolls = page_height >= 5.0f * ImGui::GetFrameHeightWithSpacing();
     if (scrolls) ImGui::BeginChild("page", {0.0f, page_height});
-    draw_page(session, memory, widgets);
+    draw_page(app, memory, widgets);
     if (scrolls) ImGui::EndChild();
     ImGui::Separator();
-    draw_readings(session, widgets);
+    draw_readings(app, widgets);
 }
 
-void draw_panel(Session& session, PanelMemory& memory, Widgets& widgets) {
-    const Area& area = session.panel_area;
+void draw_panel(AppState& app, PanelMemory& memory, Widgets& widgets) {
+    const Area& area = app.panel_area;
     ImGui::SetNextWindowPos({area.x0, area.y0});
     ImGui::SetNextWindowSize({area.width(), area.height()});
     ImGui::Begin("panel", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
-    if (session.narrow && widgets.button("Close panel", "Gives the flag the whole window. Key H", -1.0f))
-        session.toggle_panel();
-    draw_play(session, widgets);
+    if (app.narrow && widgets.button("Close panel", "Gives the flag the whole window. Key H", -1.0f))
+        app.toggle_panel();
+    draw_play(app, widgets);
 
     // Pages share the row equally; readings stay in sight below whichever is open.
     ImGui::Spacing();
@@ -57,39 +57,39 @@ void draw_panel(Session& session, PanelMemory& memory, Widgets& widgets) {
     }
     ImGui::PopStyleVar();
     ImGui::Spacing();
-    draw_page_and_readings(session, memory, widgets);
+    draw_page_and_readings(app, memory, widgets);
     ImGui::End();
 }
 
 // What opens the panel where it has stepped aside.
-void draw_opener(Session& session, Widgets& widgets) {
+void draw_opener(AppState& app, Widgets& widgets) {
     ImGui::SetNextWindowPos({0.0f, 0.0f});
     ImGui::Begin("opener", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoFocusOnAppearing);
-    if (widgets.button("Panel", "Opens the panel. Key H")) session.toggle_panel();
+    if (widgets.button("Panel", "Opens the panel. Key H")) app.toggle_panel();
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-    session.claimed.push_back({low.x, low.y, low.x + size.x, low.y + size.y});
+    app.claimed.push_back({low.x, low.y, low.x + size.x, low.y + size.y});
     ImGui::End();
 }
 
 }  // namespace
 
-void draw_panels(Session& session, PanelMemory& memory, UiMap& map) {
+void draw_panels(AppState& app, PanelMemory& memory, UiMap& map) {
     Widgets widgets(map);
-    session.claimed.clear();
-    if (session.panel_open()) {
-        draw_panel(session, memory, widgets);
-        session.claimed.push_back(session.panel_area);
-    } else if (session.narrow && session.panel_shown) {
-        draw_opener(session, widgets);
+    app.claimed.clear();
+    if (app.panel_open()) {
+        draw_panel(app, memory, widgets);
+        app.claimed.push_back(app.panel_area);
+    } else if (app.narrow && app.panel_shown) {
+        draw_opener(app, widgets);
     }
-    if (session.scene.view.forces) draw_legend(session);
-    draw_message(session, widgets);
-    draw_help(session, widgets);
-    draw_question(session, widgets);
-    draw_activity(session);
+    if (app.scene.view.forces) draw_legend(app);
+    draw_message(app, widgets);
+    draw_help(app, widgets);
+    draw_question(app, widgets);
+    draw_activity(app);
 }
 
 }  // namespace drapeau

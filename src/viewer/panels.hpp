@@ -1,7 +1,7 @@
-// Panels: everything ImGui shows. They edit the session's plain data and leave wishes; main applies both.
+// Panels: everything ImGui shows. They edit the application's plain state and leave commands; main applies both.
 #pragma once
 
-#include "session.hpp"
+#include "app_state.hpp"
 #include "ui_map.hpp"
 #include "widgets.hpp"
 
@@ -16,20 +16,20 @@ struct PanelMemory {
     std::string texture_text, scene_text, save_text;
 };
 
-void draw_panels(Session& session, PanelMemory& memory, UiMap& map);
+void draw_panels(AppState& app, PanelMemory& memory, UiMap& map);
 
 // The panel's parts, each in a file of its own.
-void draw_play(Session& session, Widgets& widgets);
-void draw_flag_page(Session& session, PanelMemory& memory, Widgets& widgets);
-void draw_springs_page(Session& session, Widgets& widgets);
-void draw_wind_page(Session& session, PanelMemory& memory, Widgets& widgets);
-void draw_time_page(Session& session, PanelMemory& memory, Widgets& widgets);
-float readings_height(const Session& session);  // of what draw_readings shows
-void draw_readings(const Session& session, Widgets& widgets);
-void draw_message(Session& session, Widgets& widgets);
-void draw_question(Session& session, Widgets& widgets);
-void draw_activity(const Session& session);
-void draw_help(Session& session, Widgets& widgets);
-void draw_legend(const Session& session);
+void draw_play(AppState& app, Widgets& widgets);
+void draw_flag_page(AppState& app, PanelMemory& memory, Widgets& widgets);
+void draw_springs_page(AppState& app, Widgets& widgets);
+void draw_wind_page(AppState& app, PanelMemory& memory, Widgets& widgets);
+void draw_time_page(AppState& app, PanelMemory& memory, Widgets& widgets);
+float readings_height(const AppState& app);  // of what draw_readings shows
+void draw_readings(const AppState& app, Widgets& widgets);
+void draw_message(AppState& app, Widgets& widgets);
+void draw_question(AppState& app, Widgets& widgets);
+void draw_activity(const AppState& app);
+void draw_help(AppState& app, Widgets& widgets);
+void draw_legend(const AppState& app);
 
 }  // namespace drapeau

@@ -3,7 +3,7 @@
 // takes its message along. A lowered step is told once a scene.
 #pragma once
 
-#include "session.hpp"
+#include "app_state.hpp"
 #include "simulation_thread.hpp"
 
 namespace drapeau {

@@ -91,19 +91,19 @@ Viewer::Viewer(const Options& options, LoadedScene loaded)
       gl_errors_(debug_wanted()),
       gui_(window_.handle(), options.frames > 0 ? 1.0f : window_.content_scale(),
            options.frames > 0 ? 1.0f : pixels_per_unit(window_)),
-      canvas_(options.width, options.height, samples),
+      target_(options.width, options.height, samples),
       film_(options.film.empty() ? nullptr : std::make_unique<Film>(options.film, options.width, options.height, 60)),
       simulation_(first_simulation(loaded.scene, repeatable()),
                   simulation_threads(std::thread::hardware_concurrency())) {
     if (!into_files(options)) window_.show(options.width, options.height, !options.size_given && !repeatable());
-    session_.scene_names = shipped_scenes();
-    session_.texture_files = shipped_pictures();
-    session_.panel_shown = !options.hide_ui;
-    session_.status.clock = !repeatable();
+    app_.scene_names = shipped_scenes();
+    app_.texture_files = shipped_pictures();
+    app_.panel_shown = !options.hide_ui;
+    app_.status.clock = !repeatable();
     if (options.azimuth) camera_.azimuth = *options.azimuth;
     if (options.elevation) camera_.elevation = *options.elevation;
     adopt(std::move(loaded));
-    sent_ = session_.scene;
+    sent_ = app_.scene;
     if (sent_.flag.start == Start::hanging && !repeatable()) simulation_.restart(sent_, ++revision_);
     last_time_ = glfwGetTime();
 }
@@ -114,7 +114,7 @@ bool Viewer::running() const {
 
 int Viewer::exit_status() const {
     if (!repeatable()) return 0;
-    return session_.status.divergence ? 3 : session_.status.failure.empty() ? 0 : 1;
+    return app_.status.divergence ? 3 : app_.status.failure.empty() ? 0 : 1;
 }
 
 glm::vec2 Viewer::size() const {
@@ -135,13 +135,13 @@ void Viewer::input() {
     if (rest_seconds_ > 0.0 && !runs()) last_time_ = glfwGetTime();
     had_events_ = !events.empty();
     hidden_ = !repeatable() && window_.hidden();
-    if (!repeatable()) canvas_.resize(window_.framebuffer_size().x, window_.framebuffer_size().y);
-    const float pixels = float(canvas_.width()) / std::max(1.0f, size().x);
+    if (!repeatable()) target_.resize(window_.framebuffer_size().x, window_.framebuffer_size().y);
+    const float pixels = float(target_.width()) / std::max(1.0f, size().x);
     gui_.begin({.size = size(), .pixels_per_unit = pixels, .seconds = repeatable() ? 1.0f / 60.0f : 0.0f}, events);
-    lay_out(session_, size().x, size().y, repeatable() ? 1.0f : window_.content_scale());
+    lay_out(app_, size().x, size().y, repeatable() ? 1.0f : window_.content_scale());
     const ImGuiIO& io = ImGui::GetIO();
-    controls_.apply(events, {.mouse = io.WantCaptureMouse, .keyboard = io.WantTextInput}, framing_, session_, camera_);
-    if (session_.wishes.reset_camera) camera_.reset();
+    controls_.apply(events, {.mouse = io.WantCaptureMouse, .keyboard = io.WantTextInput}, framing_, app_, camera_);
+    if (app_.commands.reset_camera) camera_.reset();
 }
 
 void Viewer::exchange() {
@@ -154,135 +154,134 @@ void Viewer::exchange() {
     save_wanted();
     use_safe_step();
     send_settings();
-    if (session_.wishes.step && session_.paused) simulation_.ask_step();
-    const bool screenshot = session_.wishes.screenshot;
-    session_.wishes = {};
-    session_.wishes.screenshot = screenshot;
-    if (runs()) simulation_.ask_batches(repeatable() ? 1 : pace_.batches(passed, simulation_.backlog()));
+    if (app_.commands.step && app_.paused) simulation_.ask_step();
+    const bool screenshot = app_.commands.screenshot;
+    app_.commands = {};
+    app_.commands.screenshot = screenshot;
+    if (runs()) simulation_.ask_batches(repeatable() ? 1 : pacer_.batches(passed, simulation_.backlog()));
     if (repeatable()) simulation_.wait();
     receive(passed);
 }
 
 void Viewer::load_wanted() {
-    const Wishes& wishes = session_.wishes;
-    if (wishes.load_texture && meant_path(*wishes.load_texture).empty()) {
+    const Commands& commands = app_.commands;
+    if (commands.load_texture && meant_path(*commands.load_texture).empty()) {
         loader_.forget_image();
         wear({}, std::nullopt);
-    } else if (wishes.load_texture) {
-        loader_.load_image(*wishes.load_texture);
+    } else if (commands.load_texture) {
+        loader_.load_image(*commands.load_texture);
     }
-    if (wishes.load_scene) loader_.load_scene(*wishes.load_scene);
+    if (commands.load_scene) loader_.load_scene(*commands.load_scene);
     if (repeatable()) loader_.wait();
     // An image that was chosen after a scene waits until that is taken; another scene does not.
     while (auto loaded = loader_.take(!opening_)) use(std::move(*loaded));
-    session_.status.loading = loader_.waiting_for();
+    app_.status.loading = loader_.waiting_for();
 }
 
 // Files that cannot be used leave everything as it was, with a message.
 void Viewer::use(Loaded loaded) {
     if (!loaded.fault.empty()) {
-        say(session_, loaded.is_scene ? Message::Cause::scene : Message::Cause::image, loaded.fault, true);
+        say(app_, loaded.is_scene ? Message::Cause::scene : Message::Cause::image, loaded.fault, true);
     } else if (loaded.is_scene) {
         opening_ = std::move(loaded.scene);
         simulation_.restart(opening_->scene, ++revision_);
     } else {
         wear(loaded.file, std::move(loaded.image));
-        session_.scene.view.texture = true;
+        app_.scene.view.texture = true;
     }
 }
 
 /// The image, or none, that was chosen for the flag.
 void Viewer::wear(const std::filesystem::path& file, std::optional<Image> image) {
     set_image(file, std::move(image));
-    session_.scene.flag.texture = texture_name(file);
+    app_.scene.flag.texture = texture_name(file);
 }
 
 void Viewer::save_wanted() {
-    const Wishes& wishes = session_.wishes;
+    const Commands& commands = app_.commands;
     try {
-        if (wishes.overwrite) save(*wishes.overwrite);
-        if (!wishes.save_scene) return;
-        const auto file = scene_path(meant_path(*wishes.save_scene));
-        std::vector<std::filesystem::path> own = session_.saved_files;
-        own.push_back(session_.scene_file);
-        session_.question.reset();
-        if (const auto question = question_before_saving(file, own, session_.texture_file))
-            session_.question = {file, *question};
+        if (commands.overwrite) save(*commands.overwrite);
+        if (!commands.save_scene) return;
+        const auto file = scene_path(meant_path(*commands.save_scene));
+        std::vector<std::filesystem::path> own = app_.saved_files;
+        own.push_back(app_.scene_file);
+        app_.question.reset();
+        if (const auto question = question_before_saving(file, own, app_.texture_file))
+            app_.question = {file, *question};
         else
             save(file);
     } catch (const InputError& wrong) {
-        say(session_, Message::Cause::save, wrong.what(), true);
+        say(app_, Message::Cause::save, wrong.what(), true);
     }
 }
 
 void Viewer::save(const std::filesystem::path& file) {
-    const Saved saved = save_scene(session_.scene, file, session_.texture_file);
-    session_.saved_files.push_back(saved.file);
+    const Saved saved = save_scene(app_.scene, file, app_.texture_file);
+    app_.saved_files.push_back(saved.file);
     const char* without = " without its image: a scene file holds no such file name";
-    say(session_, Message::Cause::save, "Saved " + saved.file.string() + (saved.without_image ? without : ""),
+    say(app_, Message::Cause::save, "Saved " + saved.file.string() + (saved.without_image ? without : ""),
         saved.without_image);
 }
 
 void Viewer::use_safe_step() {
-    const auto& divergence = session_.status.divergence;
-    if (session_.wishes.use_safe_step && divergence && divergence->safe_dt > 0.0)
-        session_.scene.time.dt = divergence->safe_dt;
+    const auto& divergence = app_.status.divergence;
+    if (app_.commands.use_safe_step && divergence && divergence->safe_dt > 0.0)
+        app_.scene.time.dt = divergence->safe_dt;
 }
 
 void Viewer::send_settings() {
     if (opening_) return;
     keep_proportions();
-    const bool changed = physics_of(session_.scene) != physics_of(sent_);
-    if (session_.wishes.restart)
-        simulation_.restart(session_.scene, ++revision_);
+    const bool changed = physics_of(app_.scene) != physics_of(sent_);
+    if (app_.commands.restart)
+        simulation_.restart(app_.scene, ++revision_);
     else if (changed)
-        simulation_.apply(session_.scene, ++revision_);
-    if (session_.wishes.restart || changed) sent_ = session_.scene;
+        simulation_.apply(app_.scene, ++revision_);
+    if (app_.commands.restart || changed) sent_ = app_.scene;
 }
 
 void Viewer::keep_proportions() {
-    const double proportions = std::clamp(session_.status.flag_proportions, 0.2, 5.0);
-    if (session_.scene.view.texture_proportions && session_.status.flag_proportions > 0.0)
-        session_.scene.flag.width = session_.scene.flag.height * proportions;
+    const double proportions = std::clamp(app_.status.flag_proportions, 0.2, 5.0);
+    if (app_.scene.view.texture_proportions && app_.status.flag_proportions > 0.0)
+        app_.scene.flag.width = app_.scene.flag.height * proportions;
 }
 
 void Viewer::adopt(LoadedScene loaded) {
-    session_.scene = session_.origin = loaded.scene;
-    session_.scene_file = loaded.file;
-    session_.diagonal_stiffness =
-        loaded.scene.springs.diagonal_stiffness.value_or(0.5 * loaded.scene.springs.stiffness);
-    session_.question.reset();  // it was about the scene before
-    close_if(session_.message, Message::Cause::scene);
+    app_.scene = app_.origin = loaded.scene;
+    app_.scene_file = loaded.file;
+    app_.diagonal_stiffness = loaded.scene.springs.diagonal_stiffness.value_or(0.5 * loaded.scene.springs.stiffness);
+    app_.question.reset();  // it was about the scene before
+    close_if(app_.message, Message::Cause::scene);
     set_image(loaded.texture_file, std::move(loaded.image));
-    if (!loaded.fault.empty()) say(session_, Message::Cause::image, loaded.fault, true);
+    if (!loaded.fault.empty()) say(app_, Message::Cause::image, loaded.fault, true);
     if (!loaded.fault.empty() && repeatable()) complain("drapeau", loaded.fault);
     window_.set_title("drapeau \xe2\x80\x93 " + printable(loaded.scene.name));
 }
 
 void Viewer::set_image(const std::filesystem::path& file, std::optional<Image> image) {
-    session_.status.flag_proportions = image ? double(image->width) / double(image->height) : 0.0;
+    app_.status.flag_proportions = image ? double(image->width) / double(image->height) : 0.0;
     if (image)
         renderer_.texture().load(std::move(*image));
     else
         renderer_.texture().clear();
-    close_if(session_.message, Message::Cause::image);
-    session_.texture_file = file;
-    session_.status.image_has_holes = renderer_.texture().has_holes();
+    close_if(app_.message, Message::Cause::image);
+    app_.texture_file = file;
+    app_.status.image_has_holes = renderer_.texture().has_holes();
 }
 
 // A refused scene leaves the old one in place, on the panel too.
 void Viewer::hear_of_run() {
-    const auto answer = run_messages_.hear(moment_, revision_, session_.message);
+    const auto answer = run_messages_.hear(moment_, revision_, app_.message);
     if (answer == RunMessages::Answer::refused) {
         opening_.reset();
         Scene kept = moment_.scene;
-        kept.view = session_.scene.view;
-        kept.name = session_.scene.name;
-        kept.flag.texture = session_.scene.flag.texture;
-        session_.scene = sent_ = kept;
+        kept.view = app_.scene.view;
+        kept.name = app_.scene.name;
+        kept.flag.texture = app_.scene.flag.texture;
+        app_.scene = sent_ = kept;
     } else if (answer == RunMessages::Answer::taken && opening_) {
         adopt(std::move(*opening_));
-        sent_ = session_.scene;
+        sent_ = app_.scene;
         camera_.reset();
         opening_.reset();
     }
@@ -290,12 +289,12 @@ void Viewer::hear_of_run() {
 }
 
 void Viewer::receive(double passed) {
-    Status& status = session_.status;
+    Status& status = app_.status;
     if (simulation_.take(moment_)) {
         hear_of_run();
         renderer_.upload(moment_.snapshot);
         force_scale_.follow(moment_.readings.rms_spring_force);
-        if (repeatable() && moment_.stands() && !status.stands()) complain("drapeau", session_.message.text);
+        if (repeatable() && moment_.stands() && !status.stands()) complain("drapeau", app_.message.text);
         status.readings = moment_.readings;
         status.divergence = moment_.divergence;
         status.failure = moment_.failure;
@@ -315,10 +314,10 @@ void Viewer::receive(double passed) {
     }
     status.settling = simulation_.settling();
     if (runs())
-        pace_.observe(wall_, status.time);
+        pacer_.observe(wall_, status.time);
     else
-        pace_.forget();
-    status.real_time_factor = pace_.real_time_factor();
+        pacer_.forget();
+    status.real_time_factor = pacer_.real_time_factor();
     if (rest_seconds_ > 0.0) return;
     status.frame_seconds += (passed - status.frame_seconds) * (status.frame_seconds > 0.0 ? 0.05 : 1.0);
 }

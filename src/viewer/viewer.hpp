@@ -2,7 +2,7 @@
 #pragma once
 
 #include "camera.hpp"
-#include "canvas.hpp"
+#include "render_target.hpp"
 #include "controls.hpp"
 #include "film.hpp"
 #include "force_scale.hpp"
@@ -12,12 +12,12 @@
 #include "library.hpp"
 #include "loader.hpp"
 #include "options.hpp"
-#include "pace.hpp"
+#include "pacer.hpp"
 #include "panels.hpp"
 #include "renderer.hpp"
 #include "rest.hpp"
 #include "run_messages.hpp"
-#include "session.hpp"
+#include "app_state.hpp"
 #include "simulation_thread.hpp"
 #include "ui_map.hpp"
 #include "window.hpp"
@@ -44,7 +44,7 @@ private:
     Viewer(const Options& options, LoadedScene loaded);
 
     bool repeatable() const { return options_.frames > 0; }
-    bool runs() const { return !session_.paused && !session_.status.stands(); }
+    bool runs() const { return !app_.paused && !app_.status.stands(); }
     bool picture_wanted() const;
     Activity activity() const;
     glm::vec2 size() const;
@@ -70,18 +70,18 @@ private:
     Window window_;
     GlErrors gl_errors_;
     Gui gui_;
-    Canvas canvas_;
+    RenderTarget target_;
     Renderer renderer_;
     std::unique_ptr<Film> film_;
     SimulationThread simulation_;
     Loader loader_;
 
-    Session session_;
+    AppState app_;
     PanelMemory panel_memory_;
     Controls controls_;
     Camera camera_;
     Framing framing_;
-    Pace pace_;
+    Pacer pacer_;
     ForceScale force_scale_;
 
     Moment moment_;

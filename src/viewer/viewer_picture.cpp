@@ -61,11 +61,11 @@ Area around_masses(const FieldBuffer<float>& position, const glm::mat4& to_clip,
 }  // namespace
 
 Picture Viewer::picture() const {
-    const ViewSettings& view = session_.scene.view;
-    const float pixel_scale = float(canvas_.height()) / std::max(1.0f, size().y);
-    return {.view = camera_.view_matrix(framing_, session_.view_area),
-            .projection = camera_.projection(framing_, session_.view_area, size()),
-            .eye = camera_.eye(framing_, session_.view_area),
+    const ViewSettings& view = app_.scene.view;
+    const float pixel_scale = float(target_.height()) / std::max(1.0f, size().y);
+    return {.view = camera_.view_matrix(framing_, app_.view_area),
+            .projection = camera_.projection(framing_, app_.view_area, size()),
+            .eye = camera_.eye(framing_, app_.view_area),
             .cloth = view.cloth,
             .texture = view.texture,
             .cut_out = view.cut_out,
@@ -73,8 +73,8 @@ Picture Viewer::picture() const {
             .forces = view.forces,
             .masses = view.masses,
             .kinds = moment_.kinds,
-            .force_scale = float(session_.status.force_scale),
-            .hidden = pixels_under(session_.panel_area, pixel_scale, canvas_.height()),
+            .force_scale = float(app_.status.force_scale),
+            .hidden = pixels_under(app_.panel_area, pixel_scale, target_.height()),
             .pixel_scale = pixel_scale,
             .stage = stage_of(moment_.scene.flag)};
 }
@@ -86,16 +86,16 @@ void Viewer::draw() {
     if (flag.attach == Attach::none) framing_.centre = middle_of(moment_.snapshot.position);
     if (!picture_wanted()) return;
 
-    const glm::vec2 pixels(float(canvas_.width()), float(canvas_.height()));
+    const glm::vec2 pixels(float(target_.width()), float(target_.height()));
     const Picture shown = picture();
     renderer_.draw_shadow(shown, pixels);
-    canvas_.begin_scene();
+    target_.begin_scene();
     renderer_.draw_scene(shown, pixels);
 }
 
 void Viewer::panels() {
-    if (picture_wanted()) canvas_.begin_panels();
-    draw_panels(session_, panel_memory_, map_);
+    if (picture_wanted()) target_.begin_panels();
+    draw_panels(app_, panel_memory_, map_);
     gui_.draw();
 }
 
@@ -103,11 +103,11 @@ void Viewer::present() {
     ++frame_;
     if (picture_wanted()) {
         const glm::ivec2 window = window_.framebuffer_size();
-        if (film_) film_->add(canvas_.read());
-        if (session_.wishes.screenshot) take_screenshot(free_screenshot_name());
-        if (frame_ == options_.frames && !options_.screenshot.empty()) write_png(options_.screenshot, canvas_.read());
+        if (film_) film_->add(target_.read());
+        if (app_.commands.screenshot) take_screenshot(free_screenshot_name());
+        if (frame_ == options_.frames && !options_.screenshot.empty()) write_png(options_.screenshot, target_.read());
         if (frame_ == options_.frames && film_) film_->finish();
-        canvas_.show(window.x, window.y);
+        target_.show(window.x, window.y);
         gl_errors_.poll();
     }
     rest_seconds_ = repeatable() ? 0.0 : rest_.seconds(activity());
@@ -119,57 +119,57 @@ void Viewer::present() {
 }
 
 Activity Viewer::activity() const {
-    const Message& message = session_.message;
+    const Message& message = app_.message;
     return {.events = had_events_ || gui_.has_waiting_keys(),
             .runs = runs(),
-            .simulation = !simulation_.idle() || opening_ || !session_.status.loading.empty(),
+            .simulation = !simulation_.idle() || opening_ || !app_.status.loading.empty(),
             .hidden = hidden_,
             .typing = ImGui::GetIO().WantTextInput,
             .message_left = message.text.empty() ? 0.0 : message.seconds_left};
 }
 
 void Viewer::take_screenshot(const std::filesystem::path& file) {
-    session_.wishes.screenshot = false;
+    app_.commands.screenshot = false;
     try {
-        write_png(file, canvas_.read());
-        say(session_, Message::Cause::screenshot, "Saved " + std::filesystem::absolute(file).string(), false);
+        write_png(file, target_.read());
+        say(app_, Message::Cause::screenshot, "Saved " + std::filesystem::absolute(file).string(), false);
     } catch (const InputError& wrong) {
-        say(session_, Message::Cause::screenshot, wrong.what(), true);
+        say(app_, Message::Cause::screenshot, wrong.what(), true);
     }
 }
 
 void Viewer::write_map() {
     if (!map_.wanted()) return;
-    const Status& status = session_.status;
+    const Status& status = app_.status;
     const glm::vec3 target = camera_.target(framing_);
     const glm::mat4 to_clip =
-        camera_.projection(framing_, session_.view_area, size()) * camera_.view_matrix(framing_, session_.view_area);
+        camera_.projection(framing_, app_.view_area, size()) * camera_.view_matrix(framing_, app_.view_area);
     map_.state("frame", frame_);
-    map_.state("scene", session_.scene.name);
+    map_.state("scene", app_.scene.name);
     map_.state("time", status.time);
     map_.state("steps", double(status.steps));
-    map_.state("paused", session_.paused || status.stands() ? "1" : "0");
+    map_.state("paused", app_.paused || status.stands() ? "1" : "0");
     map_.state("diverged", status.divergence ? "1" : "0");
     map_.state("columns", status.columns);
     map_.state("rows", status.rows);
-    map_.state("texture", session_.texture_file.string());
-    map_.state("message", session_.message.shown());
-    map_.state("question", session_.question ? printable(session_.question->text) : "");
+    map_.state("texture", app_.texture_file.string());
+    map_.state("message", app_.message.shown());
+    map_.state("question", app_.question ? printable(app_.question->text) : "");
     map_.state("loading", printable(status.loading));
     map_.state("settling", status.settling ? "1" : "0");
     map_.state("azimuth", double(camera_.azimuth));
     map_.state("elevation", double(camera_.elevation));
-    map_.state("distance", double(camera_.distance(framing_, session_.view_area)));
+    map_.state("distance", double(camera_.distance(framing_, app_.view_area)));
     map_.state("target_x", double(target.x));
     map_.state("target_y", double(target.y));
     map_.state("target_z", double(target.z));
-    map_.state("framebuffer", std::to_string(canvas_.width()) + "x" + std::to_string(canvas_.height()));
+    map_.state("framebuffer", std::to_string(target_.width()) + "x" + std::to_string(target_.height()));
     map_.state("window", std::to_string(int(size().x)) + "x" + std::to_string(int(size().y)));
-    map_.state("panel", session_.panel_open() ? written(session_.panel_area) : "");
-    map_.state("view", written(session_.view_area));
+    map_.state("panel", app_.panel_open() ? written(app_.panel_area) : "");
+    map_.state("view", written(app_.view_area));
     map_.state("flag", written(around_masses(moment_.snapshot.position, to_clip, size())));
     map_.state("resting", rest_seconds_ > 0.0 ? "1" : "0");
-    map_.state("help", session_.help_shown ? "1" : "0");
+    map_.state("help", app_.help_shown ? "1" : "0");
     map_.state("force_scale", status.force_scale);
     map_.state("gl_errors", gl_errors_.count());
     map_.write();

@@ -171,7 +171,7 @@ Window::Window(const WindowSettings& settings) {
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, settings.debug);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-    glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the scene is drawn into a canvas with a depth of its own
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the scene is drawn into a target with a depth of its own
     window_ = glfwCreateWindow(hidden_side, hidden_side, "drapeau", nullptr, nullptr);
     if (!window_) {
         const std::string reason = last_error();

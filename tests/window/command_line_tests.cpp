@@ -167,6 +167,21 @@ TEST_CASE("a film that cannot be made leaves the file of that name as it was, an
     CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 2);
 }
 
+TEST_CASE("a setting given on the command line is the scene's") {
+    TemporaryFolder folder;
+    Screen screen;
+    const std::string scene = written(folder, "still.toml", still_scene);
+    for (const std::string file : {"as-it-is.png", "higher.png"}) {
+        std::vector<std::string> words{scene, "--frames", "1", "--hide-ui", "--size", "320x240", "--screenshot"};
+        words.push_back(folder / file);
+        if (file == "higher.png") words.insert(words.end(), {"--set", "flag.height=2", "--set=view.texture=off"});
+        REQUIRE(drapeau_run(words, screen.surroundings()).status == 0);
+    }
+    CHECK(read_text(folder / "as-it-is.png") != read_text(folder / "higher.png"));
+    check_refused(drapeau_run({scene, "--set", "flag.columns=0"}, without_display()),
+                  "--set flag.columns = 0: a whole number from 1 to 4096 is allowed");
+}
+
 TEST_CASE("an option given an empty value is refused, not taken for absent") {
     for (const std::string option :
          {"--frames", "--screenshot", "--film", "--size", "--texture", "--azimuth", "--elevation"}) {
@@ -175,6 +190,8 @@ TEST_CASE("an option given an empty value is refused, not taken for absent") {
         check_refused(drapeau_run({"report", option + "="}, without_display()), option + ": an empty value");
         check_refused(drapeau_run({option + "=", "report"}, without_display()), option + ": an empty value");
     }
+    check_refused(drapeau_run({"report", "--set="}, without_display()), "--set: an empty value");
+    check_refused(drapeau_run({"report", "--hide-ui="}, without_display()), "--hide-ui takes no value");
     for (const std::string nothing : {"", " ", "''", "\n"})
         check_refused(drapeau_run({nothing}, without_display()), "SCENE: an empty value");
 }

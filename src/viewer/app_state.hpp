@@ -1,4 +1,4 @@
-// Session: what the window is about, as plain data. Panels and keys edit it and leave wishes; main carries them out.
+// AppState: what the window is about, as plain data. Panels and keys edit it and leave commands; main carries them out.
 #pragma once
 
 #include "camera.hpp"
@@ -14,7 +14,7 @@
 namespace drapeau {
 
 /// What panels and keys ask main to do after this frame.
-struct Wishes {
+struct Commands {
     bool step = false;
     bool restart = false;
     bool screenshot = false;
@@ -65,12 +65,12 @@ struct Status {
     double times_slower() const { return step_seconds * static_cast<double>(steps_per_batch) / batch_seconds; }
 };
 
-struct Session {
+struct AppState {
     Scene scene;   // what the controls edit
     Scene origin;  // as it was loaded: what the controls go back to
     std::filesystem::path scene_file;
     std::filesystem::path texture_file;              // of the image on the flag; empty: none
-    std::vector<std::filesystem::path> saved_files;  // scenes written by this session
+    std::vector<std::filesystem::path> saved_files;  // scenes written since the program began
     std::vector<std::string> scene_names;
     std::vector<std::filesystem::path> texture_files;
 
@@ -84,7 +84,7 @@ struct Session {
     Message message;
     std::optional<Question> question;
     Status status;
-    Wishes wishes;
+    Commands commands;
 
     // What the panels took of the window in this frame, in window units.
     Area panel_area;
@@ -98,36 +98,36 @@ struct Session {
     }
 };
 
-inline void say(Session& session, Message::Cause cause, const std::string& text, bool trouble) {
-    session.message = {.text = text, .trouble = trouble, .seconds_left = trouble ? 0.0 : 5.0, .cause = cause};
+inline void say(AppState& app, Message::Cause cause, const std::string& text, bool trouble) {
+    app.message = {.text = text, .trouble = trouble, .seconds_left = trouble ? 0.0 : 5.0, .cause = cause};
 }
 
 /// Opens the message of a run that stands.
-inline void say_why_it_stands(Session& session) {
-    say(session, Message::Cause::standstill, session.status.standstill(), true);
+inline void say_why_it_stands(AppState& app) {
+    say(app, Message::Cause::standstill, app.status.standstill(), true);
 }
 
 /// Closes what was opened last: a question, unanswered, before the list of keys and the message.
-inline void close_one(Session& session) {
-    if (session.question)
-        session.question.reset();
-    else if (session.help_shown)
-        session.help_shown = false;
+inline void close_one(AppState& app) {
+    if (app.question)
+        app.question.reset();
+    else if (app.help_shown)
+        app.help_shown = false;
     else
-        session.message.text.clear();
+        app.message.text.clear();
 }
 
 /// Saves over the file that was asked about.
-inline void agree(Session& session) {
-    if (session.question) session.wishes.overwrite = session.question->file;
-    session.question.reset();
+inline void agree(AppState& app) {
+    if (app.question) app.commands.overwrite = app.question->file;
+    app.question.reset();
 }
 
 /// Diagonal springs off, or on as stiff as they last were.
-inline void toggle_diagonals(Session& session) {
-    auto& stiffness = session.scene.springs.diagonal_stiffness;
-    if (stiffness) session.diagonal_stiffness = *stiffness;
-    stiffness = stiffness ? std::nullopt : std::optional(session.diagonal_stiffness);
+inline void toggle_diagonals(AppState& app) {
+    auto& stiffness = app.scene.springs.diagonal_stiffness;
+    if (stiffness) app.diagonal_stiffness = *stiffness;
+    stiffness = stiffness ? std::nullopt : std::optional(app.diagonal_stiffness);
 }
 
 }  // namespace drapeau

@@ -1,4 +1,4 @@
-#include "pace.hpp"
+#include "pacer.hpp"
 
 #include "drapeau/stability.hpp"
 
@@ -15,7 +15,7 @@ constexpr double window = 1.0;       // s the averages run over
 
 }  // namespace
 
-int Pace::batches(double seconds, int backlog) {
+int Pacer::batches(double seconds, int backlog) {
     owed_ += seconds;
     const int due = int(owed_ / batch_seconds);
     const int granted = backlog >= max_waiting ? 0 : std::min(due, max_asked);
@@ -24,7 +24,7 @@ int Pace::batches(double seconds, int backlog) {
     return granted;
 }
 
-void Pace::observe(double wall, double simulated) {
+void Pacer::observe(double wall, double simulated) {
     if (!samples_.empty() && simulated < samples_.back().simulated) forget();
     samples_.push_back({wall, simulated});
     while (samples_.size() > 2 && wall - samples_.front().wall > window) samples_.pop_front();
@@ -34,7 +34,7 @@ void Pace::observe(double wall, double simulated) {
     frame_ = span / double(samples_.size() - 1);
 }
 
-void Pace::forget() {
+void Pacer::forget() {
     samples_.clear();
     factor_ = 0.0;
 }

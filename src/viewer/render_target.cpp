@@ -1,4 +1,4 @@
-#include "canvas.hpp"
+#include "render_target.hpp"
 
 #include "io/error.hpp"
 
@@ -7,7 +7,7 @@
 
 namespace drapeau {
 
-Canvas::Canvas(int width, int height, int samples) : width_(width), height_(height), samples_(samples) {
+RenderTarget::RenderTarget(int width, int height, int samples) : width_(width), height_(height), samples_(samples) {
     GLint max_samples = 0, largest = 0;
     glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
@@ -18,14 +18,14 @@ Canvas::Canvas(int width, int height, int samples) : width_(width), height_(heig
     allocate();
 }
 
-void Canvas::resize(int width, int height) {
+void RenderTarget::resize(int width, int height) {
     if (width <= 0 || height <= 0 || (width == width_ && height == height_)) return;
     width_ = width;
     height_ = height;
     allocate();
 }
 
-void Canvas::allocate() {
+void RenderTarget::allocate() {
     scene_ = make_framebuffer();
     shown_ = make_framebuffer();
     scene_color_ = make_renderbuffer();
@@ -51,13 +51,13 @@ void Canvas::allocate() {
                          " pixels is more than this machine's graphics can draw");
 }
 
-void Canvas::begin_scene() {
+void RenderTarget::begin_scene() {
     glBindFramebuffer(GL_FRAMEBUFFER, scene_.id());
     glViewport(0, 0, width_, height_);
     glEnable(GL_FRAMEBUFFER_SRGB);
 }
 
-void Canvas::begin_panels() {
+void RenderTarget::begin_panels() {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, scene_.id());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, shown_.id());
     glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -65,7 +65,7 @@ void Canvas::begin_panels() {
     glBindFramebuffer(GL_FRAMEBUFFER, shown_.id());
 }
 
-void Canvas::show(int window_width, int window_height) {
+void RenderTarget::show(int window_width, int window_height) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, shown_.id());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     const bool same = window_width == width_ && window_height == height_;
@@ -73,7 +73,7 @@ void Canvas::show(int window_width, int window_height) {
                       same ? GL_NEAREST : GL_LINEAR);
 }
 
-Image Canvas::read() const {
+Image RenderTarget::read() const {
     Image image{.width = width_, .height = height_, .rgba = {}};
     const std::size_t row = std::size_t(width_) * 4;
     image.rgba.resize(row * std::size_t(height_));

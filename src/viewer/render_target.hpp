@@ -1,5 +1,5 @@
-// Canvas: where a frame is drawn before it is shown. Multisampled sRGB for the scene, resolved for panels, files and
-// the window; its size is the picture's, whatever the window system made of the window.
+// Render target: where a frame is drawn before it is shown. Multisampled sRGB for the scene, resolved for panels, files
+// and the window; its size is the picture's, whatever the window system made of the window.
 #pragma once
 
 #include "gl_objects.hpp"
@@ -7,9 +7,9 @@
 
 namespace drapeau {
 
-class Canvas {
+class RenderTarget {
 public:
-    Canvas(int width, int height, int samples);
+    RenderTarget(int width, int height, int samples);
 
     int width() const { return width_; }
     int height() const { return height_; }

@@ -1,13 +1,13 @@
-// Pace: how many batches a frame asks for so that simulated time follows the wall clock, and how well it does.
-// When the simulation cannot keep up, what could not be asked for is not caught up later: the flag slows down, and the
-// real-time factor says by how much.
+// Real-time pacer: how many batches a frame asks for so that simulated time follows the wall clock, and how well it
+// does. When the simulation cannot keep up, what could not be asked for is not caught up later: the flag slows down,
+// and the real-time factor says by how much.
 #pragma once
 
 #include <deque>
 
 namespace drapeau {
 
-class Pace {
+class Pacer {
 public:
     /// Batches to ask for after `seconds` of wall-clock, with `backlog` batches not done yet.
     int batches(double seconds, int backlog);

@@ -1,15 +1,15 @@
-// Pace: simulated time follows the wall clock, and what could not be asked for is never caught up.
+// Pacer: simulated time follows the wall clock, and what could not be asked for is never caught up.
 #include "catch.hpp"
 
 #include "drapeau/stability.hpp"
-#include "viewer/pace.hpp"
+#include "viewer/pacer.hpp"
 
 using namespace drapeau;
 
 TEST_CASE("the pace asks for what the wall clock owes, at any frame rate") {
     for (const double frames_per_second : {7.0, 24.0, 60.0, 144.0, 1000.0}) {
         CAPTURE(frames_per_second);
-        Pace pace;
+        Pacer pace;
         constexpr int seconds = 10;
         int asked = 0;
         for (int frame = 0; frame < int(seconds * frames_per_second); ++frame) {
@@ -23,12 +23,12 @@ TEST_CASE("the pace asks for what the wall clock owes, at any frame rate") {
 }
 
 TEST_CASE("a frame as long as a batch asks for one, every time") {
-    Pace pace;
+    Pacer pace;
     for (int frame = 0; frame < 1000; ++frame) REQUIRE(pace.batches(batch_seconds * (1.0 + 1e-12), 0) == 1);
 }
 
 TEST_CASE("what a busy simulation could not be asked for is not caught up") {
-    Pace pace;
+    Pacer pace;
     for (int frame = 0; frame < 100; ++frame) CHECK(pace.batches(batch_seconds, 3) == 0);
     // At most the batch that was owed in between, besides the one now due.
     CHECK(pace.batches(batch_seconds, 0) <= 2);
@@ -36,7 +36,7 @@ TEST_CASE("what a busy simulation could not be asked for is not caught up") {
 }
 
 TEST_CASE("a slow frame asks for no more than a quarter of a second, and the rest is dropped") {
-    Pace pace;
+    Pacer pace;
     CHECK(pace.batches(3600.0, 0) == 15);
     CHECK(pace.batches(0.0, 0) <= 1);
     CHECK(pace.batches(0.0, 0) == 0);
@@ -45,7 +45,7 @@ TEST_CASE("a slow frame asks for no more than a quarter of a second, and the res
 TEST_CASE("the real-time factor is simulated over wall-clock seconds, unknown at first and after a pause") {
     for (const double factor : {0.1, 1.0, 2.5}) {
         CAPTURE(factor);
-        Pace pace;
+        Pacer pace;
         double wall = 100.0;
         for (int frame = 0; frame < 300; ++frame) {
             pace.observe(wall, factor * (wall - 100.0));
@@ -61,7 +61,7 @@ TEST_CASE("the real-time factor is simulated over wall-clock seconds, unknown at
 }
 
 TEST_CASE("the real-time factor forgets what is a second old, and a run that began anew") {
-    Pace pace;
+    Pacer pace;
     double wall = 0.0, simulated = 0.0;
     const auto run = [&](double factor, int frames) {
         for (int frame = 0; frame < frames; ++frame) {
