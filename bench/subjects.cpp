@@ -318,7 +318,7 @@ std::unique_ptr<Subject> make_subject(const Case& c, const State<double>& start)
 }
 
 std::unique_ptr<Subject> make_plain_rival(const Case& c, const State<double>& start) {
-    return std::make_unique<EngineSteps>(c, c.work == Work::watched ? start_state(scene_of(c)) : start);
+    return std::make_unique<EngineSteps>(c, c.work == Work::watched ? start_state(scene_of(c)).state : start);
 }
 
 const State<double>& flying_state(int columns, int rows) {

@@ -236,10 +236,10 @@ TEST_CASE("Forward Euler without drag or friction: auto says which damping is ne
             message = error.what();
         }
         REQUIRE(message.find("time.dt") != std::string::npos);
-        REQUIRE(message.find("N s/m") != std::string::npos);
+        REQUIRE(message.find("N·s/m") != std::string::npos);
         CHECK(message.find("semi-implicit-euler") != std::string::npos);
 
-        // "... their sum must exceed X N s/m ..."
+        // "... their sum must exceed X N·s/m ..."
         const std::string before = "must exceed ";
         const auto place = message.find(before);
         REQUIRE(place != std::string::npos);

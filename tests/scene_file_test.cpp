@@ -503,7 +503,7 @@ TEST_CASE("an assignment may be said as people say it, and is refused as in a fi
     CHECK(refused("flag.columns=many") == "--set flag.columns = \"many\": a whole number from 1 to 4096 is allowed");
     CHECK(refused("flag.width=0,5") == "--set flag.width = \"0,5\": a number from 0.001 to 1000 is allowed");
     CHECK(refused("flag.width=1\nheight = 2") ==
-          "--set flag.width = \"1\\nheight = 2\": a number from 0.001 to 1000 is allowed");
+          "--set flag.width = \"1\\u000aheight = 2\": a number from 0.001 to 1000 is allowed");
     CHECK(has(refused("flag.colums=3"), "--set flag.colums = 3: unknown key; did you mean columns?"));
     CHECK(has(refused("flg.columns=3"), "unknown table; did you mean flag?"));
     CHECK(has(refused("columns=3"), "--set columns = 3: unknown key; it belongs under [flag]"));

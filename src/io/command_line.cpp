@@ -60,6 +60,7 @@ void take_as_path(CLI::Option* option) {
 CLI::Validator whole_number(long long lowest, long long highest) {
     return CLI::Validator(
         [=](std::string& text) {
+            if (text.empty()) return std::string();  // parse() refuses that
             long long value = 0;
             const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
             const bool whole = fault == std::errc{} && end == text.data() + text.size();

@@ -59,7 +59,10 @@ toml::table as_file(const Assignment& assignment, Target target) {
         const auto number = number_in(value);
         if (number && target != Target::text) return parsed(value_text(*number));
     }
-    return parsed(in_quotes(value));
+    toml::table file = parsed("''");
+    toml::table& keys = in_table ? *file[table].as_table() : file;
+    keys[name].as_string()->get() = value;  // whatever bytes it has: what is no text is refused with the rest
+    return file;
 }
 
 void merge(toml::table& into, toml::table&& from) {
