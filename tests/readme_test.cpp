@@ -16,7 +16,7 @@ std::string text_of(const std::filesystem::path& file) {
 }  // namespace
 
 TEST_CASE("the README shows the example word for word", "[readme]") {
-    const std::filesystem::path project = std::filesystem::path(__FILE__).parent_path().parent_path();
+    const std::filesystem::path project = std::filesystem::path(DRAPEAU_DOCS).parent_path();
     const std::string example = text_of(project / "examples" / "embed.cpp");
     REQUIRE(!example.empty());
     CHECK(text_of(project / "README.md").find("```cpp\n" + example + "```\n") != std::string::npos);
