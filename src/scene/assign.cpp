@@ -3,6 +3,7 @@
 #include "io/error.hpp"
 #include "scene/settings.hpp"
 
+#include <fmt/format.h>
 #include <toml++/toml.h>
 
 namespace drapeau {
@@ -10,6 +11,8 @@ namespace drapeau {
 namespace {
 
 using namespace settings;
+
+constexpr std::size_t max_assignment = 5000;  // bytes
 
 /// What an assignment means to change.
 enum class Target { other, text, boolean, left_out, table };
@@ -87,6 +90,9 @@ Assignment assignment_in(const std::string& text) {
     if (equals == std::string::npos || !is_key) {
         throw InputError("--set " + one_line(text, 60) +
                          ": KEY=VALUE is wanted, such as flag.columns=90; drapeau-lab settings lists the keys");
+    }
+    if (text.size() > max_assignment) {  // no value is as long, and what nests this deep fits the stack
+        throw InputError(fmt::format("--set {}: {} bytes, at most {} are allowed", key, text.size(), max_assignment));
     }
     return {"--set " + key, key, std::string(without_space(std::string_view(text).substr(equals + 1)))};
 }
