@@ -511,6 +511,9 @@ TEST_CASE("an assignment may be said as people say it, and is refused as in a fi
     CHECK(has(refused("springs=off"), "--set springs = \"off\": a table is expected"));
     CHECK(has(refused("springs.mass=off"), "--set springs.mass = \"off\": a number"));
     CHECK(has(refused("limit=on"), "--set limit: limit.stretch is missing"));
+    std::string deep = "flag.columns={a";
+    for (int n = 0; n < 60000; ++n) deep += ".a";
+    CHECK(has(refused(deep + "=1}"), "at most 5000 are allowed"));
     for (const std::string text :
          {"", "=", "=3", "flag.columns", "flag.columns 3", "a.b.c=3", "a b=3", "[flag]=3", ".=3"})
         CHECK(has(refused(text), "KEY=VALUE is wanted"));
