@@ -64,7 +64,7 @@ std::vector<Remark> remarks_on(const AppState& app) {
                            "than the last of them loses the motion."});
     if (!s.start_remark.empty())
         remarks.push_back({"Start remark", as_sentence(s.start_remark),
-                           "A flag that starts hanging is let settle first, within one to three seconds of work. A "
+                           "A flag that starts hanging settles first, within one to three seconds of work. A "
                            "coarser grid or softer springs need less."});
     constexpr double slow = 3.0;
     if (s.clock && s.times_slower() > slow) {
@@ -102,7 +102,7 @@ void show_stability(const Status& s, Widgets& widgets) {
                       tip);
     } else if (s.stability_limit.is_none()) {
         widgets.reading("Stability", "no stable step",
-                        "With these settings this method gains energy whatever the step. More drag, friction or "
+                        "With these settings this method gains energy at any step. More drag, friction or "
                         "damping, or another method, helps.",
                         mood == calm ? close : mood);
     } else {
