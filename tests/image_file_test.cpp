@@ -1,8 +1,8 @@
 // Image files: what browsers show is read, and what cannot be read is named.
 #include "catch.hpp"
 
-#include "io/error.hpp"
 #include "image_samples.hpp"
+#include "io/error.hpp"
 #include "scarce_memory.hpp"
 
 #include <algorithm>

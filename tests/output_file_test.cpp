@@ -1,8 +1,8 @@
 // Output files: whole or as they were, whatever goes wrong.
 #include "catch.hpp"
 
-#include "io/error.hpp"
 #include "image/image.hpp"
+#include "io/error.hpp"
 #include "io/output_file.hpp"
 #include "viewer/library.hpp"
 

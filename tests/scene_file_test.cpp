@@ -2,11 +2,11 @@
 #include "catch.hpp"
 
 #include "io/error.hpp"
-#include "scene/settings.hpp"
+#include "io/text.hpp"
+#include "run/simulation.hpp"
 #include "scene/file.hpp"
 #include "scene/reference.hpp"
-#include "run/simulation.hpp"
-#include "io/text.hpp"
+#include "scene/settings.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Simulation: a run keeps its time, its bits and, through a change of settings, its state.
-#include "catch.hpp"
 #include "all_methods.hpp"
+#include "catch.hpp"
 #include "run/simulation.hpp"
 
 #include "drapeau/stability.hpp"

@@ -1,9 +1,9 @@
 // SVG: drawn at a flag's size, from nothing but itself, within limits.
 #include "catch.hpp"
 
-#include "io/error.hpp"
 #include "image/decoders.hpp"
 #include "image_samples.hpp"
+#include "io/error.hpp"
 
 #include <cmath>
 #include <cstdlib>

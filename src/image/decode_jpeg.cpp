@@ -1,9 +1,9 @@
 // JPEG by libjpeg-turbo. Its warnings tell a picture that lacks data from one that lacks only its end marker.
 #include "image/decoders.hpp"
 
-#include "io/error.hpp"
 #include "image/exif_orientation.hpp"
 #include "image/image_file.hpp"
+#include "io/error.hpp"
 
 #include <algorithm>
 #include <csetjmp>

@@ -3,8 +3,8 @@
 // no folder to resolve references against: it opens no other file and no connection.
 #include "image/decoders.hpp"
 
-#include "io/error.hpp"
 #include "image/image_file.hpp"
+#include "io/error.hpp"
 #include "io/text.hpp"
 
 #include <algorithm>

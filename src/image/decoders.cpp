@@ -1,7 +1,7 @@
 #include "image/decoders.hpp"
 
-#include "io/error.hpp"
 #include "image/image_file.hpp"
+#include "io/error.hpp"
 #include "io/text.hpp"
 
 namespace drapeau {

@@ -1,7 +1,7 @@
 #include "image/image_file.hpp"
 
-#include "io/error.hpp"
 #include "image/file_kind.hpp"
+#include "io/error.hpp"
 #include "io/text.hpp"
 
 #include <algorithm>

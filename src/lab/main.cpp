@@ -1,11 +1,11 @@
 // The laboratory's command line: subcommands, and the one place where bad input becomes an exit status.
 #include "io/command_line.hpp"
 #include "io/error.hpp"
+#include "io/terminal.hpp"
+#include "io/text.hpp"
 #include "run.hpp"
 #include "scene/file.hpp"
 #include "scene/reference.hpp"
-#include "io/terminal.hpp"
-#include "io/text.hpp"
 
 #include <cstdio>
 #include <new>

@@ -1,9 +1,9 @@
 #include "plan.hpp"
 
 #include "io/error.hpp"
-#include "scene/settings.hpp"
-#include "scene/file.hpp"
 #include "io/text.hpp"
+#include "scene/file.hpp"
+#include "scene/settings.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,16 +1,18 @@
 #include "run.hpp"
 
 #include "io/error.hpp"
-#include "plan.hpp"
-#include "progress.hpp"
-#include "results.hpp"
-#include "scene/settings.hpp"
-#include "scene/file.hpp"
-#include "run/divergence.hpp"
-#include "run/simulation.hpp"
 #include "io/terminal.hpp"
 #include "io/text.hpp"
 #include "io/text_file.hpp"
+#include "plan.hpp"
+#include "progress.hpp"
+#include "results.hpp"
+#include "run/divergence.hpp"
+#include "run/simulation.hpp"
+#include "scene/file.hpp"
+#include "scene/settings.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
@@ -125,13 +127,7 @@ void write_state(const std::string& file, const Simulation& simulation) {
 }
 
 std::string with_unit(double value, const std::string& unit) {
-    return rounded(value, 4) + " " + unit;
-}
-
-std::string in_hex(std::uint64_t value) {
-    char digits[17];
-    std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));
-    return digits;
+    return fmt::format("{} {}", rounded(value, 4), unit);
 }
 
 /// What the step computes, in words: nothing that is not listed costs anything.
@@ -162,7 +158,7 @@ std::vector<Result> results_of(const Simulation& simulation, int threads, const 
                                      ? "every step is stable"
                                      : rounded(100.0 * simulation.dt() / limit.seconds(), 3) +
                                            " % of the stability limit, " + with_unit(limit.seconds(), "s");
-    const std::string hash = in_hex(simulation.state_hash());
+    const std::string hash = fmt::format("{:016x}", simulation.state_hash());
 
     std::vector<Result> results;
     const auto text = [&](const std::string& key, std::string_view value, const std::string& label) {

@@ -1,7 +1,7 @@
 #include "run/divergence.hpp"
 
-#include "scene/file.hpp"
 #include "io/text.hpp"
+#include "scene/file.hpp"
 
 #include <fmt/format.h>
 

@@ -1,13 +1,13 @@
 #include "run/simulation.hpp"
 
 #include "io/error.hpp"
+#include "io/text.hpp"
 #include "run/carry_over.hpp"
 #include "run/divergence.hpp"
 #include "run/start_state.hpp"
 #include "run/step_choice.hpp"
 #include "run/watch.hpp"
 #include "scene/file.hpp"
-#include "io/text.hpp"
 
 #include "drapeau/precision.hpp"
 

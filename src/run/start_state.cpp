@@ -1,7 +1,7 @@
 #include "run/start_state.hpp"
 
-#include "run/settle.hpp"
 #include "io/text.hpp"
+#include "run/settle.hpp"
 
 #include "drapeau/precision.hpp"
 #include "drapeau/start.hpp"

@@ -1,8 +1,8 @@
 #include "run/step_choice.hpp"
 
 #include "io/error.hpp"
-#include "scene/file.hpp"
 #include "io/text.hpp"
+#include "scene/file.hpp"
 
 #include "drapeau/precision.hpp"
 #include "drapeau/stability.hpp"

@@ -1,8 +1,8 @@
 // Shipped scenes and textures, found from the program's own place: the build tree, the source tree or an installation.
 #include "io/error.hpp"
 #include "io/given_path.hpp"
-#include "scene/file.hpp"
 #include "io/text.hpp"
+#include "scene/file.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #include "scene/check.hpp"
 
 #include "io/error.hpp"
-#include "scene/settings.hpp"
 #include "scene/file.hpp"
+#include "scene/settings.hpp"
 
 #include <algorithm>
 

@@ -2,10 +2,10 @@
 
 #include "io/encoding.hpp"
 #include "io/error.hpp"
+#include "io/text_file.hpp"
 #include "scene/assign.hpp"
 #include "scene/check.hpp"
 #include "scene/settings.hpp"
-#include "io/text_file.hpp"
 
 #include <toml++/toml.h>
 

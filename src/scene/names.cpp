@@ -1,6 +1,6 @@
 // The names of settings in scene files and on the command line.
-#include "scene/settings.hpp"
 #include "scene/file.hpp"
+#include "scene/settings.hpp"
 
 namespace drapeau {
 

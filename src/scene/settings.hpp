@@ -4,8 +4,8 @@
 // keys_of<Term>; the list of terms does the rest.
 #pragma once
 
-#include "scene/scene.hpp"
 #include "io/text.hpp"
+#include "scene/scene.hpp"
 
 #include <array>
 #include <cstdint>

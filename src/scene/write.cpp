@@ -1,5 +1,5 @@
-#include "scene/settings.hpp"
 #include "scene/file.hpp"
+#include "scene/settings.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // Controls: what mouse and keys do to the camera and the app. A drag that begins on a panel stays with the panel.
 #pragma once
 
+#include "app_state.hpp"
 #include "camera.hpp"
 #include "input.hpp"
-#include "app_state.hpp"
 
 #include <vector>
 

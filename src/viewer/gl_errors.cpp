@@ -4,7 +4,7 @@
 
 #include <GL/glew.h>
 
-#include <cstdio>
+#include <fmt/format.h>
 #include <string>
 
 namespace drapeau {
@@ -29,9 +29,7 @@ GlErrors::GlErrors(bool debug) {
 
 void GlErrors::poll() {
     for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
-        char text[40];
-        std::snprintf(text, sizeof text, "glGetError 0x%04x", error);
-        add(text);
+        add(fmt::format("glGetError 0x{:04x}", error).c_str());
     }
 }
 

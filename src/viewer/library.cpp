@@ -1,13 +1,13 @@
 #include "library.hpp"
 
-#include "io/error.hpp"
 #include "image/image_file.hpp"
+#include "io/error.hpp"
 #include "io/output_file.hpp"
 #include "saving.hpp"
-#include "scene/settings.hpp"
 #include "scene/file.hpp"
+#include "scene/settings.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace drapeau {
 
@@ -57,8 +57,7 @@ Saved save_scene(Scene scene, const fs::path& path, const fs::path& image) {
 fs::path free_screenshot_name() {
     std::error_code failure;
     for (int number = 1;; ++number) {
-        char name[40];
-        std::snprintf(name, sizeof name, "drapeau-%03d.png", number);
+        const std::string name = fmt::format("drapeau-{:03}.png", number);
         if (!fs::exists(name, failure)) return name;
     }
 }

@@ -1,8 +1,8 @@
 #include "loader.hpp"
 
+#include "image/image_file.hpp"
 #include "io/error.hpp"
 #include "io/given_path.hpp"
-#include "image/image_file.hpp"
 #include "scene/file.hpp"
 
 #include <exception>

@@ -1,12 +1,12 @@
 #include "options.hpp"
 
+#include "film.hpp"
 #include "io/command_line.hpp"
 #include "io/error.hpp"
-#include "film.hpp"
 #include "io/given_path.hpp"
-#include "scene/file.hpp"
 #include "io/terminal.hpp"
 #include "io/text.hpp"
+#include "scene/file.hpp"
 
 #include <cmath>
 #include <cstdio>

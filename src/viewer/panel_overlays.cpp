@@ -1,11 +1,11 @@
 // What lies over the picture: the message, the list of keys, the scale of the force colours.
 #include "panels.hpp"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace drapeau {
 
@@ -196,13 +196,12 @@ void draw_legend(const AppState& app) {
         list->AddRectFilledMultiColor({x0, top}, {x1, top + height}, color_at(step), color_at(step + 1),
                                       color_at(step + 1), color_at(step));
     }
-    char low[16] = "0 N", middle[40], high[40];
-    std::snprintf(middle, sizeof middle, "%.3g N", app.status.force_scale / 2.0);
-    std::snprintf(high, sizeof high, "%.3g N", app.status.force_scale);
+    const std::string middle = fmt::format("{:.3g} N", app.status.force_scale / 2.0);
+    const std::string high = fmt::format("{:.3g} N", app.status.force_scale);
     const float under = top + height + 3.0f * scale;
-    list->AddText({left, under}, text, low);
-    list->AddText({left + (width - ImGui::CalcTextSize(middle).x) / 2.0f, under}, text, middle);
-    list->AddText({left + width - ImGui::CalcTextSize(high).x, under}, text, high);
+    list->AddText({left, under}, text, "0 N");
+    list->AddText({left + (width - ImGui::CalcTextSize(middle.c_str()).x) / 2.0f, under}, text, middle.c_str());
+    list->AddText({left + width - ImGui::CalcTextSize(high.c_str()).x, under}, text, high.c_str());
 }
 
 }  // namespace drapeau

@@ -3,12 +3,11 @@
 
 #include "io/text.hpp"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -18,29 +17,20 @@ namespace {
 
 constexpr const char* none = "\xe2\x80\x93";
 
-[[gnu::format(printf, 1, 2)]] std::string written(const char* format, ...) {
-    char text[160];
-    va_list values;
-    va_start(values, format);
-    std::vsnprintf(text, sizeof text, format, values);
-    va_end(values);
-    return text;
-}
-
 std::string pace_of(const AppState& app) {
     const Status& s = app.status;
     if (s.stands()) return "stopped";
     if (app.paused) return "paused";
     if (!s.clock || s.real_time_factor <= 0.0) return none;
-    return written("real time \xc3\x97 %.2f", s.real_time_factor);
+    return fmt::format("real time × {:.2f}", s.real_time_factor);
 }
 
 std::string joules(double energy) {
-    return std::abs(energy) < 100.0 ? written("%.3f J", energy) : quantity(energy, "J");
+    return std::abs(energy) < 100.0 ? fmt::format("{:.3f} J", energy) : quantity(energy, "J");
 }
 
-std::string per_cent(double share, const char* format) {
-    return share < 100.0 ? written(format, 100.0 * share) : written("%.3g times", share);
+std::string per_cent(double share, int decimals) {
+    return share < 100.0 ? fmt::format("{:.{}f} %", 100.0 * share, decimals) : fmt::format("{:.3g} times", share);
 }
 
 /// What a person should know besides the numbers.
@@ -89,16 +79,16 @@ void show_stability(const Status& s, Widgets& widgets) {
     using enum Widgets::Mood;
     const double created = s.readings.created_share;
     Widgets::Mood mood = created > Ledger::broken_share ? bad : created > much_created ? close : calm;
-    const std::string energy = mood == calm ? "" : written(",  energy +%.0f %%", 100.0 * created);
+    const std::string energy = mood == calm ? "" : fmt::format(",  energy +{:.0f} %", 100.0 * created);
     if (s.stability_limit.is_finite()) {
         const double share = s.dt / s.stability_limit.seconds();
         if (share > 1.0)
             mood = bad;
         else if (share > close_to_limit && mood == calm)
             mood = close;
-        const std::string text =
-            share < 10.0 ? written("%.0f %% of the limit", 100.0 * share) : written("%.3g times the limit", share);
-        widgets.gauge("Stability", share, mood, energy.empty() ? text : written("%.0f %%", 100.0 * share) + energy,
+        const std::string text = share < 10.0 ? fmt::format("{:.0f} % of the limit", 100.0 * share)
+                                              : fmt::format("{:.3g} times the limit", share);
+        widgets.gauge("Stability", share, mood, energy.empty() ? text : fmt::format("{:.0f} %", 100.0 * share) + energy,
                       tip);
     } else if (s.stability_limit.is_none()) {
         widgets.reading("Stability", "no stable step",
@@ -114,15 +104,16 @@ void show_limit(const PassReport& did, double limit, Widgets& widgets) {
     constexpr const char* tip =
         "The longest spring after the stretch limit was applied, against the limit, and how often all springs were "
         "gone through in the last frame. Attachments that are too far apart can make the limit impossible to meet.";
-    const std::string found = written("%.1f %% of %.1f %%", 100.0 * std::max(0.0, did.max_stretch), 100.0 * limit);
+    const std::string found =
+        fmt::format("{:.1f} % of {:.1f} %", 100.0 * std::max(0.0, did.max_stretch), 100.0 * limit);
     if (did.max_stretch <= -1.0)
         widgets.reading("Limit", none, tip);
     else if (!did.met)
         widgets.reading("Limit", found + ", not met", tip, Widgets::Mood::close);
     else if (did.sweeps < 10000)
-        widgets.reading("Limit", found + written(", %lld sweeps", did.sweeps), tip);
+        widgets.reading("Limit", found + fmt::format(", {} sweeps", did.sweeps), tip);
     else
-        widgets.reading("Limit", found + written(", %lldk sweeps", did.sweeps / 1000), tip);
+        widgets.reading("Limit", found + fmt::format(", {}k sweeps", did.sweeps / 1000), tip);
 }
 
 }  // namespace
@@ -139,10 +130,10 @@ float readings_height(const AppState& app) {
 
 void draw_readings(const AppState& app, Widgets& widgets) {
     const Status& s = app.status;
-    widgets.reading("Time", written("%.2f s   ", s.time) + pace_of(app),
+    widgets.reading("Time", fmt::format("{:.2f} s   ", s.time) + pace_of(app),
                     "Simulated time, and how fast it passes against the wall clock. Below 1 the computer cannot keep "
                     "up: the flag moves slower, but no step is skipped.");
-    widgets.reading("Step", s.dt > 0.0 ? quantity(s.dt, "s") + written(",  %lld per frame", s.steps_per_batch) : none,
+    widgets.reading("Step", s.dt > 0.0 ? quantity(s.dt, "s") + fmt::format(",  {} per frame", s.steps_per_batch) : none,
                     "The step in use. A frame is 1/60 s of simulated time.");
     show_stability(s, widgets);
     for (const Remark& remark : remarks_on(app)) widgets.remark(remark.label, remark.text, remark.tip);
@@ -156,7 +147,7 @@ void draw_readings(const AppState& app, Widgets& widgets) {
         "Energy", joules(total) + ",  kinetic " + joules(r.kinetic_energy),
         "Total energy: kinetic, elastic, gravitational (zero at the flag's top); and kinetic energy alone.");
     widgets.reading(
-        "Stretch", "max " + per_cent(r.max_stretch, "%.1f %%") + ",  mean " + per_cent(r.mean_stretch, "%.2f %%"),
+        "Stretch", "max " + per_cent(r.max_stretch, 1) + ",  mean " + per_cent(r.mean_stretch, 2),
         "How much longer the longest spring is than at rest, and the mean change of length of all springs.");
     if (s.limit) show_limit(r.limit, s.limit->stretch, widgets);
 }

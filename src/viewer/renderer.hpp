@@ -1,8 +1,8 @@
 // Renderer: draws a picture of the masses. It knows positions, rest lengths and stiffnesses to colour by, no physics.
 #pragma once
 
-#include "cloth_pass.hpp"
 #include "backdrop_pass.hpp"
+#include "cloth_pass.hpp"
 #include "flag_texture.hpp"
 #include "frame_block.hpp"
 #include "grid_textures.hpp"

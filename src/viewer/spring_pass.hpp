@@ -1,8 +1,8 @@
 // Springs as lines of constant width on the screen, a quad each, coloured by their force if wished.
 #pragma once
 
-#include "gl_objects.hpp"
 #include "flag_texture.hpp"
+#include "gl_objects.hpp"
 #include "grid_textures.hpp"
 #include "picture.hpp"
 #include "shader.hpp"

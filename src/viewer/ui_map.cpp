@@ -1,5 +1,7 @@
 #include "ui_map.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -28,18 +30,13 @@ void UiMap::state(std::string_view name, std::string_view value) {
 }
 
 void UiMap::state(std::string_view name, double value) {
-    char digits[40];
-    std::snprintf(digits, sizeof digits, "%.9g", value);
-    state(name, std::string_view(digits));
+    state(name, fmt::format("{:.9g}", value));
 }
 
 void UiMap::control(std::string_view label, float x0, float y0, float x1, float y1, std::string_view value) {
     if (!wanted()) return;
     append_field(text_, label);
-    char corners[120];
-    std::snprintf(corners, sizeof corners, "\t%.1f\t%.1f\t%.1f\t%.1f\t", double(x0), double(y0), double(x1),
-                  double(y1));
-    text_ += corners;
+    text_ += fmt::format("\t{:.1f}\t{:.1f}\t{:.1f}\t{:.1f}\t", x0, y0, x1, y1);
     append_field(text_, value);
     text_ += '\n';
 }

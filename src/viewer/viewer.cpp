@@ -7,8 +7,8 @@
 #include "io/error.hpp"
 #include "io/given_path.hpp"
 #include "io/output_file.hpp"
-#include "scene/file.hpp"
 #include "io/terminal.hpp"
+#include "scene/file.hpp"
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>

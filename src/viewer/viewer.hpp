@@ -1,8 +1,8 @@
 // Viewer: the parts of the window and what passes between them; a frame is input, exchange, draw, panels, present.
 #pragma once
 
+#include "app_state.hpp"
 #include "camera.hpp"
-#include "render_target.hpp"
 #include "controls.hpp"
 #include "film.hpp"
 #include "force_scale.hpp"
@@ -14,10 +14,10 @@
 #include "options.hpp"
 #include "pacer.hpp"
 #include "panels.hpp"
+#include "render_target.hpp"
 #include "renderer.hpp"
 #include "rest.hpp"
 #include "run_messages.hpp"
-#include "app_state.hpp"
 #include "simulation_thread.hpp"
 #include "ui_map.hpp"
 #include "window.hpp"

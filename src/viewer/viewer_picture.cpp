@@ -6,13 +6,13 @@
 #include "io/error.hpp"
 
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <glm/vec4.hpp>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <thread>
 
 namespace drapeau {
@@ -29,10 +29,7 @@ glm::vec3 middle_of(const FieldBuffer<float>& position) {
 }
 
 std::string written(Area area) {
-    char text[80];
-    std::snprintf(text, sizeof text, "%.1f %.1f %.1f %.1f", double(area.x0), double(area.y0), double(area.x1),
-                  double(area.y1));
-    return text;
+    return fmt::format("{:.1f} {:.1f} {:.1f} {:.1f}", area.x0, area.y0, area.x1, area.y1);
 }
 
 /// The pixels that the panel covers whatever the rounding of its corners.

@@ -3,6 +3,7 @@
 #include "io/text.hpp"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ bool differ(double a, double b) {
 }  // namespace
 
 void Widgets::note(const char* label, const std::string& value) {
-    if (!map_.wanted()) return;
+    if (!map_.wanted() || ImGui::GetCurrentWindowRead()->Hidden) return;  // a box is laid out before it is shown
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const ImVec2 middle((low.x + high.x) / 2.0f, (low.y + high.y) / 2.0f);
     const ImDrawList* list = ImGui::GetWindowDrawList();

@@ -4,8 +4,8 @@
 #include "scenes.hpp"
 
 #include "catch.hpp"
-#include "scene/settings.hpp"
 #include "scene/file.hpp"
+#include "scene/settings.hpp"
 
 using namespace drapeau::window_tests;
 
