@@ -2,7 +2,7 @@
 // counts are those of the very code that is timed.
 #pragma once
 
-#include "drapeau/lanes.hpp"
+#include "drapeau/simd.hpp"
 
 #include <bit>
 

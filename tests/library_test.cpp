@@ -61,6 +61,17 @@ TEST_CASE("scene and image moved together find each other") {
     const LoadedScene again = load_scene((folder.path / "there" / saved.file.filename()).string());
     CHECK(again.fault.empty());
     CHECK(again.texture_file == folder.path / "there" / "pictures" / "a.png");
+
+    // Above the scene's folder or, brought there from elsewhere, beside it.
+    const fs::path above = picture(folder.path / "home" / "b.png");
+    fs::create_directories(folder.path / "home" / "scenes");
+    save_scene(some_scene(), (folder.path / "home" / "scenes" / "s.toml").string(), above);
+    fs::rename(folder.path / "home", folder.path / "away");
+    CHECK(load_scene((folder.path / "away" / "scenes" / "s.toml").string()).fault.empty());
+    fs::rename(folder.path / "away" / "b.png", folder.path / "away" / "scenes" / "b.png");
+    CHECK(load_scene((folder.path / "away" / "scenes" / "s.toml").string()).fault.empty());
+    fs::remove(folder.path / "away" / "scenes" / "b.png");
+    CHECK_FALSE(load_scene((folder.path / "away" / "scenes" / "s.toml").string()).fault.empty());
 }
 
 TEST_CASE("an image path that a scene file cannot hold is left out and said, and the scene opens") {

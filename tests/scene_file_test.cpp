@@ -511,6 +511,8 @@ TEST_CASE("an assignment may be said as people say it, and is refused as in a fi
     CHECK(has(refused("springs=off"), "--set springs = \"off\": a table is expected"));
     CHECK(has(refused("springs.mass=off"), "--set springs.mass = \"off\": a number"));
     CHECK(has(refused("limit=on"), "--set limit: limit.stretch is missing"));
+    CHECK(has(refused("flag.columns=9223372036854775808"), "--set flag.columns = 9223372036854775808"));
+    CHECK(has(refused("time.dt=off"), "--set time.dt = \"off\": \"auto\" or a number"));
     std::string deep = "flag.columns={a";
     for (int n = 0; n < 60000; ++n) deep += ".a";
     CHECK(has(refused(deep + "=1}"), "at most 5000 are allowed"));

@@ -25,7 +25,7 @@ struct PassRow {
 
 /// The acceleration but for drag and friction of a register of masses; zero where held, whatever the force.
 template <class V>
-DRAPEAU_INLINE Triple<V> acceleration_of(const Triple<V>& force, V inverse_mass, const Triple<V>& pushed) {
+DRAPEAU_INLINE Vec3<V> acceleration_of(const Vec3<V>& force, V inverse_mass, const Vec3<V>& pushed) {
     using L = Lanes<V>;
     const auto a = inverse_mass * force + pushed;
     return {L::where_positive(inverse_mass, a.x), L::where_positive(inverse_mass, a.y),
@@ -70,7 +70,7 @@ void advance_rows(const Pass<typename Lanes<V>::Real>& pass) {
     for_rows<V, SpringForce<V, damped>, diagonals, fields, Method::template seen_position<damped>,
              Method::template seen_velocity<damped>>(
         pass,
-        [&](const Field<Real>* row, const RowConstants<Real>& constants, int i, const Triple<V>& force)
+        [&](const Field<Real>* row, const RowConstants<Real>& constants, int i, const Vec3<V>& force)
             DRAPEAU_INLINE_LAMBDA {
                 const auto a = acceleration_of(force, L::load(constants.inverse_mass + i), pushed.template at<V>(i));
                 if constexpr (rated)
@@ -91,7 +91,7 @@ void advance_rows_accounted(const Pass<typename Lanes<V>::Real>& pass) {
     const auto pushed = pass.acceleration;
     const Real dt = pass.dt;
     V external{}, damping{};
-    Triple<V> drift{};
+    Vec3<V> drift{};
     for_rows<V, SpringForceParts<V, damped>, diagonals, fields, Method::template seen_position<damped>,
              Method::template seen_velocity<damped>>(
         pass,
@@ -116,7 +116,7 @@ void advance_rows_accounted(const Pass<typename Lanes<V>::Real>& pass) {
                 pass.sums[j].drift[2] += step * sum_of(drift.z);
             }
             external = damping = V{};
-            drift = Triple<V>{};
+            drift = Vec3<V>{};
         });
 }
 
@@ -129,7 +129,7 @@ void measure_rows(const Pass<typename Lanes<V>::Real>& pass) {
     const auto pushed = pass.acceleration;
     const Real dt = pass.dt;
     V kinetic{}, kinetic_now{}, power{};
-    Triple<V> moment{};
+    Vec3<V> moment{};
     for_rows<V, SpringGauge<V, damped>, diagonals, fields, 0, Method::template seen_velocity<damped>>(
         pass,
         [&](const Field<Real>* row, const RowConstants<Real>& constants, int i,
@@ -165,7 +165,7 @@ void measure_rows(const Pass<typename Lanes<V>::Real>& pass) {
                 sums.moment[0] = sum_of(moment.x), sums.moment[1] = sum_of(moment.y), sums.moment[2] = sum_of(moment.z);
             }
             kinetic = kinetic_now = power = V{};
-            moment = Triple<V>{};
+            moment = Vec3<V>{};
         });
 }
 
@@ -179,7 +179,7 @@ void evaluate_rows(const Pass<typename Lanes<V>::Real>& pass) {
     Field<Real> out = pass.out.row(pass.first);  // a halo's values are overwritten by the row's own
     for_rows<V, SpringForce<V, damped>, diagonals, fields, 0, Method::template seen_velocity<damped>>(
         pass,
-        [&](const Field<Real>*, const RowConstants<Real>& constants, int i, const Triple<V>& force)
+        [&](const Field<Real>*, const RowConstants<Real>& constants, int i, const Vec3<V>& force)
             DRAPEAU_INLINE_LAMBDA {
                 out.set(i, acceleration_of(force, L::load(constants.inverse_mass + i), pushed.template at<V>(i)));
             },

@@ -4,7 +4,7 @@
 // aggregate: these are the types that pass between code compiled for different instruction sets (isa.hpp).
 #pragma once
 
-#include "drapeau/lanes.hpp"
+#include "drapeau/simd.hpp"
 
 #include <cstddef>
 
@@ -20,11 +20,11 @@ struct Field {
         return {x + n, y + n, z + n, stride};
     }
     template <class V>
-    DRAPEAU_INLINE Triple<V> at(std::ptrdiff_t i) const {
+    DRAPEAU_INLINE Vec3<V> at(std::ptrdiff_t i) const {
         return {Lanes<V>::load(x + i), Lanes<V>::load(y + i), Lanes<V>::load(z + i)};
     }
     template <class V>
-    DRAPEAU_INLINE void set(std::ptrdiff_t i, const Triple<V>& value) const {
+    DRAPEAU_INLINE void set(std::ptrdiff_t i, const Vec3<V>& value) const {
         Lanes<V>::store(x + i, value.x), Lanes<V>::store(y + i, value.y), Lanes<V>::store(z + i, value.z);
     }
     DRAPEAU_INLINE operator Field<const Real>() const requires(!std::is_const_v<Real>) { return {x, y, z, stride}; }
@@ -112,11 +112,10 @@ struct Kernels {
     void (*measure)(const Pass<Real>&);               // energy and stretch; moves nothing
     void (*evaluate)(const Pass<Real>&);              // accelerations but for drag and friction, into `out`
     // One mass: n is its element, a its acceleration but for drag and friction.
-    void (*start)(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& a, Real rate, Real dt);
-    Triple<Real> (*synchronised)(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& a, Real rate,
-                                 Real dt);
+    void (*start)(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& a, Real rate, Real dt);
+    Vec3<Real> (*synchronised)(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& a, Real rate, Real dt);
     // Moves a mass by dx and lets its velocity follow: what a pass after the move does.
-    void (*follow)(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& dx, Real dt);
+    void (*follow)(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& dx, Real dt);
 };
 
 }  // namespace drapeau

@@ -33,15 +33,15 @@ struct Masses {
     const Field<Real>* fields;
     std::ptrdiff_t i;
 
-    DRAPEAU_INLINE Triple<V> get(int field) const { return fields[field].template at<V>(i); }
-    DRAPEAU_INLINE void set(int field, const Triple<V>& value) const { fields[field].set(i, value); }
+    DRAPEAU_INLINE Vec3<V> get(int field) const { return fields[field].template at<V>(i); }
+    DRAPEAU_INLINE void set(int field, const Vec3<V>& value) const { fields[field].set(i, value); }
 };
 
 /// What a move reports of a mass: the acceleration it had, and the velocity that the work of its forces is counted with
 /// (chosen so that the work of all forces is what the kinetic energy gains).
 template <class V>
 struct Motion {
-    Triple<V> acceleration, velocity;
+    Vec3<V> acceleration, velocity;
 };
 
 /// The rate where neither drag nor friction is listed: nothing is loaded and nothing computed.
@@ -49,7 +49,7 @@ struct NoRate {};
 
 /// a - rate v.
 template <class V, class Rate>
-DRAPEAU_INLINE Triple<V> resisted(const Triple<V>& a, const Rate& rate, const Triple<V>& v) {
+DRAPEAU_INLINE Vec3<V> resisted(const Vec3<V>& a, const Rate& rate, const Vec3<V>& v) {
     if constexpr (std::is_same_v<Rate, NoRate>)
         return a;
     else
@@ -112,18 +112,18 @@ struct OneKick {
     static constexpr int seen_velocity = 1;
 
     template <class V, class Rate, class Real>
-    DRAPEAU_INLINE static Triple<V> total(const Triple<V>& a, const Rate& rate, const Triple<V>& v, Real) {
+    DRAPEAU_INLINE static Vec3<V> total(const Vec3<V>& a, const Rate& rate, const Vec3<V>& v, Real) {
         return resisted(a, rate, v);
     }
     template <bool damped, class Real>
-    static void start(const Field<Real>*, std::ptrdiff_t, const Triple<Real>&, Real, Real) {}
+    static void start(const Field<Real>*, std::ptrdiff_t, const Vec3<Real>&, Real, Real) {}
     template <bool damped, class Real>
-    static Triple<Real> synchronised(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>&, Real, Real) {
+    static Vec3<Real> synchronised(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>&, Real, Real) {
         return fields[1].template at<Real>(n);
     }
     /// x += dx, v += dx / dt: a mass that was moved over has the velocity it was moved with.
     template <bool damped, class Real>
-    static void follow(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& dx, Real dt) {
+    static void follow(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& dx, Real dt) {
         const Masses<Real> mass{fields, n};
         mass.set(0, mass.get(0) + dx);
         mass.set(1, mass.get(1) + (Real(1) / dt) * dx);

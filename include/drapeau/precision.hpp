@@ -63,12 +63,12 @@ inline double typical_speed(const Model& model) {
 inline double float_velocity_unit(double reach, double dt) {
     return 0x1p-24 * reach / dt;
 }
-/// The smallest step (s) at which it resolves a twentieth of a speed (m/s).
+/// The smallest step (s) at which it resolves a two-hundredth of a speed (m/s).
 inline double smallest_float_step(double reach, double speed) {
-    return 20.0 * float_velocity_unit(reach, 1.0) / speed;
+    return 200.0 * float_velocity_unit(reach, 1.0) / speed;
 }
 /// Below this share of it float resolves less than half of that speed: nothing of the motion is left.
-inline constexpr double hopeless_float_step = 0.1;
+inline constexpr double hopeless_float_step = 0.01;
 
 }  // namespace DRAPEAU_ISA
 }  // namespace drapeau

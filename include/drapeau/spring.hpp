@@ -20,13 +20,13 @@ inline constexpr double shortest_length = 1e-15;
 
 /// l^2 from d, never below the shortest.
 template <class V>
-DRAPEAU_INLINE V squared_length(const Triple<V>& d) {
+DRAPEAU_INLINE V squared_length(const Vec3<V>& d) {
     constexpr auto floor = static_cast<typename Lanes<V>::Real>(shortest_length * shortest_length);
     return d.x * d.x + (d.y * d.y + (d.z * d.z + floor));
 }
 /// 1/l from d, and the force over d without damping: with r = 1/l it is k - r k L.
 template <class V>
-DRAPEAU_INLINE V inverse_length(const Triple<V>& d) {
+DRAPEAU_INLINE V inverse_length(const Vec3<V>& d) {
     return inverse_sqrt<V>(squared_length(d));
 }
 
@@ -39,14 +39,14 @@ struct SeenRow {
 /// One end of a spring. Without damping no velocity is read.
 template <class V, bool damped>
 struct SpringEnd {
-    Triple<V> x, v;
+    Vec3<V> x, v;
     DRAPEAU_INLINE static SpringEnd load(const SeenRow<typename Lanes<V>::Real>& row, int i) {
         return {row.position.template at<V>(i), row.velocity.template at<V>(i)};
     }
 };
 template <class V>
 struct SpringEnd<V, false> {
-    Triple<V> x;
+    Vec3<V> x;
     DRAPEAU_INLINE static SpringEnd load(const SeenRow<typename Lanes<V>::Real>& row, int i) {
         return {row.position.template at<V>(i)};
     }
@@ -58,7 +58,7 @@ struct SpringForce {
     using Real = typename Lanes<V>::Real;
     using Row = SeenRow<Real>;
     using End = SpringEnd<V, damped>;
-    using Value = Triple<V>;
+    using Value = Vec3<V>;
     static constexpr int reach = 1;
 
     DRAPEAU_INLINE Value pull(const SpringRow<Real>& spring, int i, const End& a, const End& b) {
@@ -75,7 +75,7 @@ struct SpringForce {
 /// A force in its two parts, so that the work of each can be told.
 template <class V>
 struct Parts {
-    Triple<V> elastic, damping;
+    Vec3<V> elastic, damping;
 };
 template <class V>
 DRAPEAU_INLINE Parts<V> operator+(const Parts<V>& a, const Parts<V>& b) {
@@ -104,7 +104,7 @@ struct SpringForceParts : SpringForce<V, damped> {
 
 protected:
     DRAPEAU_INLINE static Value parts(const SpringRow<Real>& spring, int i, const End& a, const End& b,
-                                      const Triple<V>& d, V r) {
+                                      const Vec3<V>& d, V r) {
         using L = Lanes<V>;
         Value f{(L::load(spring.k + i) - r * L::load(spring.k_length + i)) * d, {}};
         if constexpr (damped) f.damping = (r * ((L::load(spring.c + i) * r) * dot(b.v - a.v, d))) * d;

@@ -39,12 +39,12 @@ private:
 };
 
 template <class Real, class V>
-DRAPEAU_INLINE void load_waiting(const WaitingRow<Real>& row, int i, Triple<V>& value, int c = 0) {
+DRAPEAU_INLINE void load_waiting(const WaitingRow<Real>& row, int i, Vec3<V>& value, int c = 0) {
     using L = Lanes<V>;
     value = {L::load(row.component(c) + i), L::load(row.component(c + 1) + i), L::load(row.component(c + 2) + i)};
 }
 template <class Real, class V>
-DRAPEAU_INLINE void store_waiting(const WaitingRow<Real>& row, int i, const Triple<V>& value, int c = 0) {
+DRAPEAU_INLINE void store_waiting(const WaitingRow<Real>& row, int i, const Vec3<V>& value, int c = 0) {
     using L = Lanes<V>;
     L::store(row.component(c) + i, value.x), L::store(row.component(c + 1) + i, value.y),
         L::store(row.component(c + 2) + i, value.z);

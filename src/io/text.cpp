@@ -117,7 +117,9 @@ std::string quantity(double value, std::string_view unit, int digits) {
                                         [&](const Prefix& p) { return size >= p.factor; });
         prefix = fits->text, factor = fits->factor;
     }
-    return fmt::format("{:.{}g} {}{}", value / factor, digits, prefix, unit);
+    const double shown = value / factor;
+    const int whole = std::abs(shown) >= 100.0 ? 3 : std::abs(shown) >= 10.0 ? 2 : 1;  // digits that must be there
+    return fmt::format("{:.{}g} {}{}", shown, std::max(digits, whole), prefix, unit);
 }
 
 std::optional<double> number_in(std::string_view text) {

@@ -78,6 +78,8 @@ std::string cause_and_remedy(Method method, const Divergence& d) {
                 "the step {} is within the stability limit {} of {}, but too large for it to keep the energy "
                 "of this motion; {}",
                 step, limit, name, remedy);
+        case Divergence::Cause::float_rounding:
+            return fmt::format("float cannot honour steps of {} in this scene; choose double", step);
         case Divergence::Cause::beyond_precision:
             break;
     }
@@ -87,7 +89,7 @@ std::string cause_and_remedy(Method method, const Divergence& d) {
 }  // namespace
 
 Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const Progress& good, double broken_at,
-                              bool lost, const std::atomic<bool>* abandon) {
+                              Divergence::Cause cause, const std::atomic<bool>* abandon) {
     constexpr int good_place = Watch::places, batch_place = Watch::places + 1;
     const Watch watch_then = watch;
     engine.save(good_place);
@@ -102,7 +104,7 @@ Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const
     Progress now = good, before = good;
     const bool found = !replay.holds(now, before, broken_at + 2.0 * batch_seconds);
     const bool finite = std::isfinite(engine.kinetic());
-    if (finite && lost && d.cause == Divergence::Cause::energy_created) d.cause = Divergence::Cause::energy_lost;
+    if (finite && d.cause == Divergence::Cause::energy_created) d.cause = cause;
     // Counted by samples the replay may hold, or hold longer.
     const long long end = good.steps + std::llround((broken_at - good.time()) / good.clock.dt);
     long long bad = found ? std::min(now.steps, end) : end;

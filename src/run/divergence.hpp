@@ -6,11 +6,10 @@
 
 namespace drapeau {
 
-/// The run has been put back to a good state, `good`, and broke before time `broken_at` (s), by energy that was lost
-/// rather than created if `lost`. Replays it to name the
-/// step and the place, tries smaller steps for one that holds, and leaves engine and watch on the good state. Gives up
-/// naming them once `abandon` is set.
+/// The run has been put back to a good state, `good`, and broke before time `broken_at` (s), by `cause` if it was
+/// within the stability limit and all values are finite. Replays it to name the step and the place, tries smaller steps
+/// for one that holds, and leaves engine and watch on the good state. Gives up naming them once `abandon` is set.
 Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const Progress& good, double broken_at,
-                              bool lost, const std::atomic<bool>* abandon);
+                              Divergence::Cause cause, const std::atomic<bool>* abandon);
 
 }  // namespace drapeau

@@ -27,11 +27,11 @@ struct Budget {
 
 /// The scene on a grid of half as many cells, of the same weight and of springs as soft as the two they stand for.
 Scene coarser(const Scene& scene) {
-    constexpr int fewest = 8;  // masses along a side that is halved
+    constexpr int min_masses = 8;  // along a side that is halved
     Scene coarse = scene;
     FlagSettings& flag = coarse.flag;
-    if (flag.columns >= fewest) flag.columns = (flag.columns + 1) / 2;
-    if (flag.rows >= fewest) flag.rows = (flag.rows + 1) / 2;
+    if (flag.columns >= min_masses) flag.columns = (flag.columns + 1) / 2;
+    if (flag.rows >= min_masses) flag.rows = (flag.rows + 1) / 2;
     const auto share = [](int few, int many) { return static_cast<double>(few) / many; };
     const double columns = share(flag.columns, scene.flag.columns), rows = share(flag.rows, scene.flag.rows);
     const double across = share(std::max(1, flag.columns - 1), std::max(1, scene.flag.columns - 1));

@@ -170,9 +170,11 @@ private:
     /// Back on the last good state, with the reason.
     Divergence stopped(const std::atomic<bool>* abandon) {
         const double broken_at = now.time();
-        const bool lost = watch.ledger().created_share() < 0.0;
+        const auto cause = float_resolves_too_little()            ? Divergence::Cause::float_rounding
+                           : watch.ledger().created_share() < 0.0 ? Divergence::Cause::energy_lost
+                                                                  : Divergence::Cause::energy_created;
         watch.return_to_good(*engine, now);
-        return explain_divergence(*engine, watch, scene.time.method, now, broken_at, lost, abandon);
+        return explain_divergence(*engine, watch, scene.time.method, now, broken_at, cause, abandon);
     }
 
     /// The same masses in another precision; a new clock must follow.

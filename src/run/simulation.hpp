@@ -38,7 +38,7 @@ struct Readings {
 
 /// A run that diverged. The run then stands on the last state that was good.
 struct Divergence {
-    enum class Cause { past_the_limit, energy_created, energy_lost, beyond_precision };
+    enum class Cause { past_the_limit, energy_created, energy_lost, float_rounding, beyond_precision };
 
     long long step = 0;       // the step (since the run began) that broke it
     double time = 0.0;        // s

@@ -44,17 +44,19 @@ StartState start_state(const Scene& scene, const std::atomic<bool>* abandon) {
     const double prestretch = scene.flag.prestretch;
     auto state = scene.flag.start == Start::crumpled ? crumpled_start(model, prestretch, crumple_seed)
                                                      : flat_start(grid, prestretch);
+    std::string remark;
     if (scene.flag.start == Start::flat) {
         constexpr double unseen = 1e-9;  // m
         const bool in_plane = grid.columns > 1 && grid.rows > 1 && !is_pushed_across(model);
         ripple(state, model, scene.flag.disturbance.value_or(in_plane ? unseen : 0.0));
+        if (in_plane && scene.flag.disturbance == 0.0)
+            remark = "the flag stays in the plane it begins in: nothing pushes it out, and flag.disturbance is 0";
     }
-    if (scene.flag.start != Start::hanging || !can_hang(scene, model)) return {std::move(state), ""};
+    if (scene.flag.start != Start::hanging || !can_hang(scene, model)) return {std::move(state), std::move(remark)};
 
     ripple(state, model, 0.02 * grid.pitch_x);
     Settled settled = settle(scene, state, abandon);
-    std::string remark;
-    if (!settled.reached)
+    if (!settled.reached && settled.speed >= still_speed)
         remark = "the flag had not come to rest when it started: it was still moving at " +
                  quantity(settled.speed, "m/s", 2);
     return {std::move(settled.state), std::move(remark)};

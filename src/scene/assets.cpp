@@ -135,6 +135,10 @@ std::vector<fs::path> shipped_pictures() {
 fs::path find_texture(const std::string& texture, const fs::path& scene_file) {
     const std::string name = meant_path(texture);
     if (const fs::path file = find(pictures, name, scene_file.parent_path()); !file.empty()) return file;
+    if (const fs::path lost = name; lost.is_absolute()) {  // moved together with the scene, it is where it was to it
+        for (const fs::path& folder : {scene_file.parent_path(), scene_file.parent_path() / ".."})
+            if (is_file(folder / lost.filename())) return folder / lost.filename();
+    }
     std::string fault = name.empty() ? "" : fault_of(scene_file.parent_path() / name, pictures);
     if (fault.empty())
         fault = "neither beside the scene nor in assets/flags; " + suggestion(pictures, name) +

@@ -30,7 +30,7 @@ Target find_target(std::string_view key) {
     each_table(any, [&](const std::string& table, const auto& settings, const auto& keys, bool) {
         if (requires { settings.has_value(); } && key == table) found = Target::table;
         each_key(keys, [&]<class Settings, class Value>(const Key<Settings, Value>& field) {
-            if (key == full_name(table, field.key)) found = target_of<Value>;
+            if (key == full_name(table, field.key) && field.absent.empty()) found = target_of<Value>;
         });
     });
     return found;
@@ -39,6 +39,12 @@ Target find_target(std::string_view key) {
 bool is_bare_key(std::string_view key) {
     constexpr auto allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
     return !key.empty() && key.find_first_not_of(allowed) == std::string_view::npos;
+}
+
+/// The number as TOML has it, however many digits it has.
+std::string as_float(double number) {
+    const std::string text = value_text(number);
+    return text + (text.find_first_not_of("-0123456789") == std::string::npos ? ".0" : "");
 }
 
 /// A file that says just this.
@@ -60,7 +66,7 @@ toml::table as_file(const Assignment& assignment, Target target) {
         if (alone && (target != Target::text || keys->get(name)->is_string())) return file;
     } catch (const toml::parse_error&) {  // a word, or a number that TOML would write otherwise
         const auto number = number_in(value);
-        if (number && target != Target::text) return parsed(value_text(*number));
+        if (number && target != Target::text) return parsed(as_float(*number));
     }
     toml::table file = parsed("''");
     toml::table& keys = in_table ? *file[table].as_table() : file;

@@ -8,17 +8,16 @@ namespace {
 
 using namespace settings;
 
-constexpr const char* introduction =
-    "# The settings of a scene\n"
-    "\n"
-    "A scene is a TOML file. What it lists is modelled, what it leaves out is not and costs nothing; `springs.mass` "
-    "and\n"
-    "`springs.stiffness` are the least it says. Both programs read scenes, take single settings instead with\n"
-    "`--set KEY=VALUE` (`drapeau storm --set flag.columns=90 --set springs.drag=off`), and the window saves one with "
-    "all\n"
-    "that its controls were set to. `off` takes out what a scene may leave out, `on` lists a table with its defaults.\n"
-    "\n"
-    "`drapeau-lab settings` prints this page.\n";
+constexpr const char* introduction = R"(# The settings of a scene
+
+A scene is a TOML file. What it lists is modelled, what it leaves out is not and costs nothing; `springs.mass` and
+`springs.stiffness` are the least it says. Both programs read scenes and take single settings instead with
+`--set KEY=VALUE` (`drapeau storm --set flag.columns=90 --set springs.drag=off`); the window saves a scene with all that
+its controls were set to. `off` takes out a table, or a setting whose default is to be left out, and says false; `on` lists
+a table with its defaults, and says true. Options such as `--dt` win over `--set`.
+
+`drapeau-lab settings` prints this page.
+)";
 
 template <class Settings, class Value>
 std::string default_text(const Settings& settings, const Key<Settings, Value>& field) {

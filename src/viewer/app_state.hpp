@@ -45,7 +45,7 @@ struct Status {
     StableStep stability_limit;
     std::string lowered_because;        // why an automatic step is smaller than usual; empty where it is not
     std::string precision_remark;       // what float cannot honour; empty where all is well
-    std::string start_remark;           // how far a hanging start was from rest; empty where all is well
+    std::string start_remark;           // what a start is not that it may seem; empty where all is well
     std::optional<StretchLimit> limit;  // of the scene that runs
     double force_scale = 1.0;           // N
     bool clock = true;                  // false: wall-clock readings are not shown, so that pictures repeat

@@ -59,6 +59,8 @@ std::string stopped_because(const Status& status) {
             return when + "the step created energy";
         case Divergence::Cause::energy_lost:
             return when + "the step lost energy";
+        case Divergence::Cause::float_rounding:
+            return when + "the step is too small for float";
         case Divergence::Cause::beyond_precision:
             break;
     }

@@ -54,8 +54,9 @@ std::vector<Remark> remarks_on(const AppState& app) {
                            "than the last of them loses the motion."});
     if (!s.start_remark.empty())
         remarks.push_back({"Start remark", as_sentence(s.start_remark),
-                           "A flag that starts hanging settles first, within one to three seconds of work. A "
-                           "coarser grid or softer springs need less."});
+                           "A flat flag needs a disturbance to leave its plane in still air. A flag that starts "
+                           "hanging settles first, within one to three seconds of work; a coarser grid or softer "
+                           "springs need less."});
     constexpr double slow = 3.0;
     if (s.clock && s.times_slower() > slow) {
         const bool forward = app.scene.time.method == method_id<ForwardEuler>;

@@ -25,7 +25,7 @@ struct Moment {
     StableStep stability_limit;            // of the closed bound
     std::string lowered_because;           // why an automatic step is smaller than usual; empty where it is not
     std::string precision_remark;          // what float cannot honour; empty where all is well
-    std::string start_remark;              // how far a hanging start was from rest; empty where all is well
+    std::string start_remark;              // what a start is not that it may seem; empty where all is well
     double step_seconds = 0.0;             // wall-clock of one step, averaged over the last batch
     SpringKinds kinds;                     // of springs, as they are drawn
     Scene scene;                           // the scene that runs

@@ -49,16 +49,25 @@ void preset_view(const Options& options, ViewSettings& view) {
 /// The scene with what the command line says instead, and whether the files asked for can be written.
 LoadedScene loaded_for(const Options& options) {
     std::vector<Assignment> assignments;
-    for (const std::string& text : options.set) assignments.push_back(assignment_in(text));
+    NamedFile texture{"--texture", options.texture};
+    for (const std::string& text : options.set) {
+        const Assignment assignment = assignment_in(text);
+        if (assignment.key != "flag.texture" || assignment.value.empty()) {
+            assignments.push_back(assignment);
+        } else if (options.texture.empty()) {  // a path that is typed is no path of the scene's folder
+            texture = {assignment.option, meant_path(assignment.value)};
+        }
+    }
+    if (!texture.name.empty()) texture.name = find_picture(texture.name).string();
     LoadedScene loaded = load_scene(options.scene, assignments);
     std::vector<NamedFile> inputs{{"the scene", loaded.file.string()}}, outputs;
     if (!loaded.texture_file.empty()) inputs.push_back({"the scene's texture", loaded.texture_file.string()});
-    if (!options.texture.empty()) inputs.push_back({"--texture", find_picture(options.texture).string()});
+    if (!texture.name.empty()) inputs.push_back(texture);
     if (!options.screenshot.empty()) outputs.push_back({"--screenshot", options.screenshot});
     if (!options.film.empty()) outputs.push_back({"--film", options.film});
     check_outputs(inputs, outputs);
-    if (!options.texture.empty()) {
-        loaded.texture_file = find_picture(options.texture);
+    if (!texture.name.empty()) {
+        loaded.texture_file = texture.name;
         loaded.image = load_image(loaded.texture_file);
         loaded.fault.clear();
         loaded.scene.flag.texture = texture_name(loaded.texture_file);

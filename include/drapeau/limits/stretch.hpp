@@ -90,7 +90,7 @@ private:
     }
 
     template <class Real>
-    static Triple<Real> difference(const Field<Real>& x, std::ptrdiff_t from, std::ptrdiff_t to) {
+    static Vec3<Real> difference(const Field<Real>& x, std::ptrdiff_t from, std::ptrdiff_t to) {
         return x.template at<Real>(to) - x.template at<Real>(from);
     }
 

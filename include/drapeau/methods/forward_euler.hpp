@@ -15,7 +15,7 @@ struct ForwardEuler : OneKick {
     static constexpr bool staggered = false, creates_energy = true;
 
     template <int pass, bool damped, class V, class Rate, class Real>
-    DRAPEAU_INLINE static Motion<V> move(const Masses<V>& masses, const Triple<V>& a, const Rate& rate, Real dt) {
+    DRAPEAU_INLINE static Motion<V> move(const Masses<V>& masses, const Vec3<V>& a, const Rate& rate, Real dt) {
         const auto v = masses.get(1);
         const auto all = resisted(a, rate, v), v_next = v + dt * all;
         masses.set(0, masses.get(0) + dt * v);

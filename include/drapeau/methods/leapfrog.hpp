@@ -23,7 +23,7 @@ struct Leapfrog : OneKick {
 
     /// (v+ - v-) / dt = (a - rate v-) / (1 + b/2).
     template <class V, class Rate, class Real>
-    DRAPEAU_INLINE static Triple<V> total(const Triple<V>& a, const Rate& rate, const Triple<V>& v, Real dt) {
+    DRAPEAU_INLINE static Vec3<V> total(const Vec3<V>& a, const Rate& rate, const Vec3<V>& v, Real dt) {
         if constexpr (std::is_same_v<Rate, NoRate>)
             return a;
         else
@@ -31,7 +31,7 @@ struct Leapfrog : OneKick {
     }
 
     template <int pass, bool damped, class V, class Rate, class Real>
-    DRAPEAU_INLINE static Motion<V> move(const Masses<V>& masses, const Triple<V>& a, const Rate& rate, Real dt) {
+    DRAPEAU_INLINE static Motion<V> move(const Masses<V>& masses, const Vec3<V>& a, const Rate& rate, Real dt) {
         const auto v = masses.get(1);
         const auto all = total(a, rate, v, dt), v_next = v + dt * all;
         masses.set(0, masses.get(0) + dt * v_next);
@@ -42,7 +42,7 @@ struct Leapfrog : OneKick {
 
     /// v- = (1 + b/2) v - dt/2 a, from the velocity at the position's time.
     template <bool damped, class Real>
-    static void start(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& a, Real rate, Real dt) {
+    static void start(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& a, Real rate, Real dt) {
         const Masses<Real> mass{fields, n};
         const auto v = mass.get(1);
         if constexpr (damped) mass.set(2, v);
@@ -50,13 +50,13 @@ struct Leapfrog : OneKick {
     }
     /// v = (v- + v+) / 2.
     template <bool damped, class Real>
-    static Triple<Real> synchronised(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& a, Real rate,
-                                     Real dt) {
+    static Vec3<Real> synchronised(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& a, Real rate,
+                                   Real dt) {
         const auto v = fields[1].template at<Real>(n);
         return v + (Real(0.5) * dt) * total(a, rate, v, dt);
     }
     template <bool damped, class Real>
-    static void follow(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& dx, Real dt) {
+    static void follow(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& dx, Real dt) {
         OneKick::follow<damped>(fields, n, dx, dt);
         const Masses<Real> mass{fields, n};
         if constexpr (damped) mass.set(2, mass.get(2) + (Real(1) / dt) * dx);

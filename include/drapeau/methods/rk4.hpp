@@ -33,12 +33,12 @@ struct Rk4 {
     static constexpr int seen_velocity = 3;
 
     template <class V, class Rate, class Real>
-    DRAPEAU_INLINE static Triple<V> total(const Triple<V>& a, const Rate& rate, const Triple<V>& v, Real) {
+    DRAPEAU_INLINE static Vec3<V> total(const Vec3<V>& a, const Rate& rate, const Vec3<V>& v, Real) {
         return resisted(a, rate, v);
     }
 
     template <int pass, bool damped, class V, class Rate, class Real>
-    DRAPEAU_INLINE static Motion<V> move(const Masses<V>& masses, const Triple<V>& a, const Rate& rate, Real dt) {
+    DRAPEAU_INLINE static Motion<V> move(const Masses<V>& masses, const Vec3<V>& a, const Rate& rate, Real dt) {
         const auto v = masses.get(3);
         const auto all = resisted(a, rate, v);
         if constexpr (pass == 3) {
@@ -59,16 +59,16 @@ struct Rk4 {
     }
 
     template <bool damped, class Real>
-    static void start(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>&, Real, Real) {
+    static void start(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>&, Real, Real) {
         const Masses<Real> mass{fields, n};
         mass.set(2, mass.get(0)), mass.set(3, mass.get(1));
     }
     template <bool damped, class Real>
-    static Triple<Real> synchronised(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>&, Real, Real) {
+    static Vec3<Real> synchronised(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>&, Real, Real) {
         return fields[1].template at<Real>(n);
     }
     template <bool damped, class Real>
-    static void follow(const Field<Real>* fields, std::ptrdiff_t n, const Triple<Real>& dx, Real dt) {
+    static void follow(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& dx, Real dt) {
         OneKick::follow<damped>(fields, n, dx, dt);
         start<damped>(fields, n, dx, Real(0), dt);
     }

@@ -1,4 +1,4 @@
-// Lanes: a register full of neighbouring masses handled as one value.
+// SIMD: a register full of neighbouring masses handled as one value.
 //
 // A kernel is written once over a lane type V: float or double (one mass at a time), or one of the compiler's vector
 // types (GCC and clang: arithmetic on them is ordinary C++, no intrinsics). Lanes<V> says how V meets memory.
@@ -136,29 +136,29 @@ DRAPEAU_INLINE V inverse_sqrt(V s) {
 
 /// Three components, each a lane value: what a kernel computes with.
 template <class V>
-struct Triple {
+struct Vec3 {
     V x, y, z;
 };
 
 template <class V>
-DRAPEAU_INLINE Triple<V> operator+(const Triple<V>& a, const Triple<V>& b) {
+DRAPEAU_INLINE Vec3<V> operator+(const Vec3<V>& a, const Vec3<V>& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 template <class V>
-DRAPEAU_INLINE Triple<V> operator-(const Triple<V>& a, const Triple<V>& b) {
+DRAPEAU_INLINE Vec3<V> operator-(const Vec3<V>& a, const Vec3<V>& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 template <class V, class S>
-DRAPEAU_INLINE Triple<V> operator*(const S& s, const Triple<V>& a) {
+DRAPEAU_INLINE Vec3<V> operator*(const S& s, const Vec3<V>& a) {
     return {s * a.x, s * a.y, s * a.z};
 }
 template <class V>
-DRAPEAU_INLINE Triple<V> shifted(const Triple<V>& left, const Triple<V>& here) {
+DRAPEAU_INLINE Vec3<V> shifted(const Vec3<V>& left, const Vec3<V>& here) {
     using L = Lanes<V>;
     return {L::shifted(left.x, here.x), L::shifted(left.y, here.y), L::shifted(left.z, here.z)};
 }
 template <class V>
-DRAPEAU_INLINE V dot(const Triple<V>& a, const Triple<V>& b) {
+DRAPEAU_INLINE V dot(const Vec3<V>& a, const Vec3<V>& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
