@@ -33,6 +33,13 @@ TEST_CASE("what was made printable is printable already") {
         CHECK(printable(printable(text)) == printable(text));
 }
 
+TEST_CASE("a quantity has the unit that suits it, and no exponent") {
+    CHECK(quantity(0.11, "m/s", 2) == "110 mm/s");
+    CHECK(quantity(84.12e-9, "s") == "84.1 ns");
+    CHECK(quantity(0.99999, "s") == "1 s");
+    CHECK(quantity(0.0, "J") == "0 J");
+}
+
 TEST_CASE("a long text is cut between characters, and says so") {
     CHECK(one_line("abc", 3) == "abc");
     CHECK(one_line("abcd", 3) == "abc...");
