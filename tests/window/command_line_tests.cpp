@@ -393,3 +393,15 @@ TEST_CASE("a picture larger than can be drawn is refused before anything is buil
     CHECK(passed < Seconds(5.0));  // a window is opened within a second or two
     CHECK(std::filesystem::is_empty(folder.path()));
 }
+
+TEST_CASE("a frame is drawn however the flag is folded") {
+    // Here triangles are seen edge-on in a way that an anisotropic filter of Mesa's software renderer never ends on.
+    Screen screen;
+    TemporaryFolder folder;
+    for (const std::string frames : {"353", "354", "355", "356"}) {
+        CAPTURE(frames);
+        CHECK(drapeau_run({"report", "--frames", frames, "--size", "900x640", "--screenshot", folder / "p.png"},
+                          screen.surroundings())
+                  .status == 0);
+    }
+}

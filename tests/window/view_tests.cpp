@@ -165,15 +165,3 @@ TEST_CASE_METHOD(StillFlag, "every key of the view does what its switch does") {
     CHECK(app.process().wait() == 0);
     CHECK(app.process().errors().empty());
 }
-
-TEST_CASE("a frame is drawn however the flag is folded") {
-    // Here triangles are seen edge-on in a way that an anisotropic filter of Mesa's software renderer never ends on.
-    Screen screen;
-    TemporaryFolder folder;
-    for (const std::string frames : {"353", "354", "355", "356"}) {
-        CAPTURE(frames);
-        CHECK(drapeau_run({"report", "--frames", frames, "--size", "900x640", "--screenshot", folder / "p.png"},
-                          screen.surroundings())
-                  .status == 0);
-    }
-}
