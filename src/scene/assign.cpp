@@ -80,7 +80,7 @@ void merge(toml::table& into, toml::table&& from) {
         if (present && present->is_table() && node.is_table()) {
             merge(*present->as_table(), std::move(*node.as_table()));
         } else {
-            node.visit([&](auto& concrete) { into.insert_or_assign(key, std::move(concrete)); });
+            node.visit([&, &name = key](auto& concrete) { into.insert_or_assign(name, std::move(concrete)); });
         }
     }
 }
