@@ -9,6 +9,7 @@
 //   refusal     the run refuses settings, which are taken back   other settings are taken
 //   standstill  the run stops                                    the run goes on; closed before that, a line in its
 //                                                                place says that the run stopped and opens it again
+//   typed       a number cannot be taken as it was typed         after some seconds
 //   lowered     an automatic step is lowered, once a scene       after some seconds
 #pragma once
 
@@ -19,7 +20,7 @@
 namespace drapeau {
 
 struct Message {
-    enum class Cause { image, scene, save, screenshot, refusal, standstill, lowered };
+    enum class Cause { image, scene, save, screenshot, refusal, standstill, typed, lowered };
     std::string text{};
     bool trouble = true;
     double seconds_left = 0.0;  // it goes by itself; 0: it stays until closed

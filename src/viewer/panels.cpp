@@ -81,6 +81,7 @@ void draw_panels(AppState& app, PanelMemory& memory, UiMap& map) {
     app.claimed.clear();
     if (app.panel_open()) {
         draw_panel(app, memory, widgets);
+        if (!widgets.correction().empty()) say(app, Message::Cause::typed, widgets.correction(), false);
         app.claimed.push_back(app.panel_area);
     } else if (app.narrow && app.panel_shown) {
         draw_opener(app, widgets);

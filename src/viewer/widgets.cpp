@@ -2,6 +2,7 @@
 
 #include "io/text.hpp"
 
+#include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
@@ -116,7 +117,12 @@ bool Widgets::slider(const char* label, int& value, int low, int high, int origi
     ImGui::PushID(label);
     begin_row(label, true);
     ImGui::SetNextItemWidth(control_width());
-    bool changed = ImGui::SliderInt("##value", &value, low, high, "%d", ImGuiSliderFlags_AlwaysClamp);
+    double shown = value;
+    const double least = low, largest = high;
+    bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &shown, &least, &largest, "%.0f",
+                                       ImGuiSliderFlags_AlwaysClamp);
+    if (changed) value = int(shown);
+    if (shown != value) correction_ = fmt::format("{} is a whole number: {} is taken.", label, value);  // typed
     note(label, std::to_string(value));
     tip(tip_text);
     if (back_arrow(label, value != origin)) {

@@ -45,6 +45,9 @@ public:
     void note(const char* label, const std::string& value);
     UiMap& map() { return map_; }
 
+    /// What was made of a number that could not be taken as it was typed; empty if all could.
+    const std::string& correction() const { return correction_; }
+
 private:
     void begin_row(const char* label, bool bright);
     float control_width() const;
@@ -52,6 +55,7 @@ private:
     void tip(const char* text) const;
 
     UiMap& map_;
+    std::string correction_;
 };
 
 }  // namespace drapeau

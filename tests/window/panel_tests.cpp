@@ -251,6 +251,7 @@ TEST_CASE_METHOD(StillFlag, "a number may be typed with a decimal comma") {
     app.show("Columns");
     app.type_number("Columns", "12,5");
     app.wait_until("whole columns", [](const Look& look) { return look.controls.at("Columns").value == "12"; });
+    CHECK(app.look().text("message") == "Columns is a whole number: 12 is taken.");
     app.check_healthy();
 }
 
