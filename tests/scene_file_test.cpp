@@ -327,6 +327,11 @@ TEST_CASE("what the format reserves for later is refused as not available") {
     }
 }
 
+TEST_CASE("an image that is text is no scene, and the message says where it goes") {
+    CHECK(has(message_of("<svg xmlns=\"http://www.w3.org/2000/svg\"/>"), "--texture"));
+    CHECK(has(message_of("\n <?xml version=\"1.0\"?><svg/>"), "--texture"));
+}
+
 TEST_CASE("a scene has exactly one material") {
     CHECK(has(message_of("[flag]\ncolumns = 3\n"), "storm.toml: [springs] is missing"));
     CHECK(has(message_of("[springs]\nstiffness = 1\n"), "storm.toml:1: springs.mass is missing"));

@@ -230,6 +230,8 @@ Scene read_scene(const std::filesystem::path& file, std::span<const Assignment> 
 Scene parse_scene(std::string_view text, const std::string& origin, std::span<const Assignment> assignments) {
     if (text.empty()) fail(origin, "empty, a scene is wanted");
     if (const std::string fault = encoding_fault(text); !fault.empty()) fail(origin, fault);
+    if (without_space(text.substr(0, 100)).starts_with('<'))
+        fail(origin, "markup, such as an SVG image, and no scene; an image is given with --texture");
     const auto nesting =
         std::count_if(text.begin(), text.end(), [](char c) { return c == '.' || c == '[' || c == '{'; });
     if (text.size() > max_bytes) fail(origin, "more than 1 MiB, a scene is smaller");
