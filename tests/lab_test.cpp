@@ -336,6 +336,7 @@ TEST_CASE("a bad command line is refused in one line") {
     check_refused(bench.run("run storm --seconds"), "--seconds");
     check_refused(bench.run("run storm --seconds 1 --speed 3"), "--speed");
     check_refused(bench.run("run storm calm --seconds 1"), "calm");
+    check_refused(bench.run("run storm --seconds 1 --seconds 2"), "--seconds is given more than once");
     check_refused(bench.run("run no-such --seconds 1"), "no-such: no such file or shipped scene");
     check_refused(bench.run("run \"$(printf 'a\\nb')\" --seconds 1"), "a\\nb: no such file");
     check_refused(bench.run("run . --seconds 1"), "folder");

@@ -28,6 +28,14 @@ const CLI::Option* find_option(const CLI::App& app, const std::string& name) {
     return nullptr;
 }
 
+const CLI::Option* find_repeated(const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options())
+        if (option->get_items_expected_max() == 1 && option->count() > 1) return option;
+    for (const CLI::App* command : app.get_subcommands())
+        if (const CLI::Option* option = find_repeated(*command)) return option;
+    return nullptr;
+}
+
 /// The words after the program's name. "--film=" is "--film" and an empty value: CLI11 would take the next word for it.
 std::vector<std::string> words_of(const CLI::App& app, int count, char** words) {
     std::vector<std::string> all;
@@ -85,6 +93,7 @@ void parse(CLI::App& app, int count, char** words) {
 }
 
 std::string explained(const CLI::App& app, const CLI::ParseError& error) {
+    if (const CLI::Option* repeated = find_repeated(app)) return repeated->get_name() + " is given more than once";
     for (const std::string& word : app.remaining(true)) {
         if (!is_file_like(word)) continue;
         const std::string name = one_line(word);

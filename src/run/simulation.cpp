@@ -220,10 +220,14 @@ const Model& Simulation::model() const {
 
 void Simulation::change(const Scene& scene, const std::atomic<bool>* abandon) {
     check_scene(scene);
-    if (same_structure(run_->scene, scene)) {
+    if (same_structure(run_->scene, scene))
         run_->refill(scene);
-        return;
-    }
+    else
+        rebuild(scene, abandon);
+    if (scene.flag.start == Start::flat && is_pushed_across(model())) run_->start_remark.clear();  // its plane is left
+}
+
+void Simulation::rebuild(const Scene& scene, const std::atomic<bool>* abandon) {
     const StartState start =
         goes_on(run_->scene.flag, scene.flag)
             ? StartState{carried_over(run_->engine->state(run_->now.time()), scene), run_->start_remark}

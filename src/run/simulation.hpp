@@ -112,6 +112,7 @@ public:
 
 private:
     struct Run;
+    void rebuild(const Scene& scene, const std::atomic<bool>* abandon);
     std::unique_ptr<Run> run_;
 };
 

@@ -40,6 +40,7 @@ struct Status {
     double time = 0.0;    // s, simulated
     long long steps = 0;
     int columns = 0, rows = 0;
+    Method method{};  // of the run, which follows the scene's a little later
     double dt = 0.0;  // s
     long long steps_per_batch = 0;
     StableStep stability_limit;

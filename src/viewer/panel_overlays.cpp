@@ -122,7 +122,7 @@ void draw_question(AppState& app, Widgets& widgets) {
     ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, (view.y0 + view.y1) / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {width, 1e4f});
     ImGui::Begin("question", nullptr, box_flags);
-    ImGui::PushTextWrapPos(width - 30.0f);
+    ImGui::PushTextWrapPos(width - 30.0f * scale);
     ImGui::TextUnformatted(printable(app.question->text).c_str());
     ImGui::PopTextWrapPos();
     const bool agreed =

@@ -59,7 +59,7 @@ std::vector<Remark> remarks_on(const AppState& app) {
                            "springs need less."});
     constexpr double slow = 3.0;
     if (s.clock && s.times_slower() > slow) {
-        const bool forward = app.scene.time.method == method_id<ForwardEuler>;
+        const bool forward = s.method == method_id<ForwardEuler>;
         remarks.push_back({"Slow",
                            quantity(s.dt, "s") + " steps: " + rounded(s.times_slower(), 2) +
                                " times slower than real time. " +

@@ -1,7 +1,6 @@
 #include "viewer.hpp"
 
 #include "image/image_file.hpp"
-#include "saving.hpp"
 #include "stage.hpp"
 
 #include "io/error.hpp"
@@ -172,66 +171,6 @@ void Viewer::exchange() {
     receive(passed);
 }
 
-void Viewer::load_wanted() {
-    const Commands& commands = app_.commands;
-    if (commands.load_texture && meant_path(*commands.load_texture).empty()) {
-        loader_.forget_image();
-        wear({}, std::nullopt);
-    } else if (commands.load_texture) {
-        loader_.load_image(*commands.load_texture);
-    }
-    if (commands.load_scene) loader_.load_scene(*commands.load_scene);
-    if (repeatable()) loader_.wait();
-    // An image that was chosen after a scene waits until that is taken; another scene does not.
-    while (auto loaded = loader_.take(!opening_)) use(std::move(*loaded));
-    app_.status.loading = loader_.waiting_for();
-}
-
-// Files that cannot be used leave everything as it was, with a message.
-void Viewer::use(Loaded loaded) {
-    if (!loaded.fault.empty()) {
-        say(app_, loaded.is_scene ? Message::Cause::scene : Message::Cause::image, loaded.fault, true);
-    } else if (loaded.is_scene) {
-        opening_ = std::move(loaded.scene);
-        simulation_.restart(opening_->scene, ++revision_);
-    } else {
-        wear(loaded.file, std::move(loaded.image));
-        app_.scene.view.texture = true;
-    }
-}
-
-/// The image, or none, that was chosen for the flag.
-void Viewer::wear(const std::filesystem::path& file, std::optional<Image> image) {
-    set_image(file, std::move(image));
-    app_.scene.flag.texture = texture_name(file);
-}
-
-void Viewer::save_wanted() {
-    const Commands& commands = app_.commands;
-    try {
-        if (commands.overwrite) save(*commands.overwrite);
-        if (!commands.save_scene) return;
-        const auto file = scene_path(meant_path(*commands.save_scene));
-        std::vector<std::filesystem::path> own = app_.saved_files;
-        own.push_back(app_.scene_file);
-        app_.question.reset();
-        if (const auto question = question_before_saving(file, own, app_.texture_file))
-            app_.question = {file, *question};
-        else
-            save(file);
-    } catch (const InputError& wrong) {
-        say(app_, Message::Cause::save, wrong.what(), true);
-    }
-}
-
-void Viewer::save(const std::filesystem::path& file) {
-    const Saved saved = save_scene(app_.scene, file, app_.texture_file);
-    app_.saved_files.push_back(saved.file);
-    const char* without = " without its image: a scene file holds no such file name";
-    say(app_, Message::Cause::save, "Saved " + saved.file.string() + (saved.without_image ? without : ""),
-        saved.without_image);
-}
-
 void Viewer::use_safe_step() {
     const auto& divergence = app_.status.divergence;
     if (app_.commands.use_safe_step && divergence && divergence->safe_dt > 0.0)
@@ -253,29 +192,6 @@ void Viewer::keep_proportions() {
     const double proportions = std::clamp(app_.status.flag_proportions, 0.2, 5.0);
     if (app_.scene.view.texture_proportions && app_.status.flag_proportions > 0.0)
         app_.scene.flag.width = app_.scene.flag.height * proportions;
-}
-
-void Viewer::adopt(LoadedScene loaded) {
-    app_.scene = app_.origin = loaded.scene;
-    app_.scene_file = loaded.file;
-    app_.diagonal_stiffness = loaded.scene.springs.diagonal_stiffness.value_or(0.5 * loaded.scene.springs.stiffness);
-    app_.question.reset();  // it was about the scene before
-    close_if(app_.message, Message::Cause::scene);
-    set_image(loaded.texture_file, std::move(loaded.image));
-    if (!loaded.fault.empty()) say(app_, Message::Cause::image, loaded.fault, true);
-    if (!loaded.fault.empty() && repeatable()) complain("drapeau", loaded.fault);
-    window_.set_title("drapeau \xe2\x80\x93 " + printable(loaded.scene.name));
-}
-
-void Viewer::set_image(const std::filesystem::path& file, std::optional<Image> image) {
-    app_.status.flag_proportions = image ? double(image->width) / double(image->height) : 0.0;
-    if (image)
-        renderer_.texture().load(std::move(*image));
-    else
-        renderer_.texture().clear();
-    close_if(app_.message, Message::Cause::image);
-    app_.texture_file = file;
-    app_.status.image_has_holes = renderer_.texture().has_holes();
 }
 
 // A refused scene leaves the old one in place, on the panel too.
@@ -311,6 +227,7 @@ void Viewer::receive(double passed) {
         status.steps = moment_.snapshot.steps;
         status.columns = moment_.snapshot.position.columns();
         status.rows = moment_.snapshot.position.rows();
+        status.method = moment_.scene.time.method;
         status.dt = moment_.dt;
         status.steps_per_batch = moment_.steps_per_batch;
         status.stability_limit = moment_.stability_limit;

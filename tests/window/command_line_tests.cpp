@@ -190,6 +190,8 @@ TEST_CASE("an option given an empty value is refused, not taken for absent") {
         check_refused(drapeau_run({"report", option + "="}, without_display()), option + ": an empty value");
         check_refused(drapeau_run({option + "=", "report"}, without_display()), option + ": an empty value");
     }
+    check_refused(drapeau_run({"report", "--size", "320x200", "--size", "400x300"}, without_display()),
+                  "--size is given more than once");
     check_refused(drapeau_run({"report", "--set="}, without_display()), "--set: an empty value");
     check_refused(drapeau_run({"report", "--hide-ui="}, without_display()), "--hide-ui takes no value");
     for (const std::string nothing : {"", " ", "''", "\n"})

@@ -177,9 +177,7 @@ TEST_CASE("a flag that starts hanging settles in sight, and the window lives mea
 TEST_CASE("why a run stopped can be read again after its message was closed") {
     const Screen screen;
     const TemporaryFolder folder;
-    std::string scene = hanging_scene;
-    scene.replace(scene.find("dt = \"auto\""), std::string("dt = \"auto\"").size(), "dt = 0.0166");
-    App app(screen, {written(folder, "apart.toml", scene), "--size", "900x640"});
+    App app(screen, {written(folder, "apart.toml", diverging_scene()), "--size", "900x640"});
     const Look apart =
         app.wait_until("the end of the run", [](const Look& look) { return look.number("diverged") == 1; });
     CHECK(!apart.has("Stopped"));

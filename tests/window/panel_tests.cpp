@@ -289,10 +289,7 @@ TEST_CASE("the clock stops, goes on by steps, and begins anew") {
 TEST_CASE("a run that diverges stops on its last good frame and names a step that is safe") {
     const Screen screen;
     const TemporaryFolder folder;
-    // 1/60 s is about three times the limit of these springs; a first unevenness is all it needs.
-    std::string scene = hanging_scene;
-    scene.replace(scene.find("dt = \"auto\""), std::string("dt = \"auto\"").size(), "dt = 0.0166");
-    App app(screen, {written(folder, "apart.toml", scene), "--size", "900x640"});
+    App app(screen, {written(folder, "apart.toml", diverging_scene()), "--size", "900x640"});
     const Look apart =
         app.wait_until("the end of the run", [](const Look& look) { return look.number("diverged") == 1; });
     CHECK(apart.text("message").find("limit") != std::string::npos);

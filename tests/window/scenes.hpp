@@ -47,6 +47,13 @@ method = "semi-implicit-euler"
 dt = "auto"
 )";
 
+/// The same with steps of about three times the limit of its springs: a first unevenness is all it needs to diverge.
+inline std::string diverging_scene() {
+    std::string scene = hanging_scene;
+    const std::string automatic = "dt = \"auto\"";
+    return scene.replace(scene.find(automatic), automatic.size(), "dt = 0.0166");
+}
+
 inline std::string written(const TemporaryFolder& folder, const std::string& name, const std::string& text) {
     const std::filesystem::path file = folder / name;
     write_text(file, text);
