@@ -26,9 +26,9 @@ int ignore_error(Display*, XErrorEvent*) {
 
 }  // namespace
 
-void forget_dead_window_manager() {
+std::shared_ptr<void> forget_dead_window_manager() {
     Display* display = XOpenDisplay(nullptr);
-    if (!display) return;
+    if (!display) return {};
     const auto handler = XSetErrorHandler(ignore_error);  // the window may be gone
     const Atom check = XInternAtom(display, "_NET_SUPPORTING_WM_CHECK", False);
     const ::Window root = DefaultRootWindow(display);
@@ -38,7 +38,7 @@ void forget_dead_window_manager() {
     XUngrabServer(display);
     XSync(display, False);
     XSetErrorHandler(handler);
-    XCloseDisplay(display);
+    return std::shared_ptr<Display>(display, XCloseDisplay);
 }
 
 }  // namespace drapeau

@@ -153,7 +153,7 @@ Window::Window(const WindowSettings& settings) {
     // GLEW as Debian builds it finds OpenGL through X11 only.
     if (glfwPlatformSupported(GLFW_PLATFORM_X11)) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
-    forget_dead_window_manager();
+    const auto until_there_is_another = forget_dead_window_manager();
     bool started = glfwInit();
 #ifdef GLFW_PLATFORM_X11
     if (!started && std::getenv("WAYLAND_DISPLAY")) {  // without one, Wayland would only add a complaint of its own

@@ -148,6 +148,20 @@ TEST_CASE("a window manager that died is no reason to fail, least of all for a p
     app.check_healthy();
 }
 
+TEST_CASE("a server that starts anew when it is left alone is never left alone while the window begins") {
+    const Screen screen(Screen::Alone::starts_anew);
+    const TemporaryFolder folder;
+    const std::string scene = written(folder, "still.toml", still_scene);
+    for (int n = 0; n < 20; ++n) {
+        const Finished done =
+            run({program(), scene, "--frames", "1", "--size", "160x120", "--screenshot", folder / "picture.png"},
+                screen.surroundings());
+        CAPTURE(n, done.errors);
+        REQUIRE(done.status == 0);
+        std::this_thread::sleep_for(Seconds(0.2));  // it begins anew once the program has left
+    }
+}
+
 TEST_CASE("a paused window draws no frames until something happens") {
     const Screen screen;
     App app(screen, {"report", "--size", "900x640"});

@@ -14,7 +14,9 @@ namespace drapeau::window_tests {
 class Screen {
 public:
     /// Starts the server on whatever display number is free.
-    Screen();
+    /// What the server does when its last client leaves: it stays as it is, or starts anew as most do.
+    enum class Alone { stays, starts_anew };
+    explicit Screen(Alone alone = Alone::stays);
 
     /// The environment of programs that are to appear on it.
     const Surroundings& surroundings() const { return surroundings_; }
