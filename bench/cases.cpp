@@ -84,6 +84,8 @@ const char* name_of(Work work) {
             return "measure";
         case Work::terms:
             return "terms";
+        case Work::mode:
+            return "mode";
         case Work::forces:
             return "forces";
         case Work::snapshot:
@@ -130,7 +132,7 @@ std::vector<Case> all_cases() {
                 for (const Listing& listing : {limit, travelling_x, travelling_xy})
                     add(Work::step, size, precision, listing);
         }
-    for (const Work work : {Work::watched, Work::accounted, Work::measure})
+    for (const Work work : {Work::watched, Work::accounted, Work::measure, Work::mode})
         for (const Size& size : watched_sizes)
             for (const Precision precision : precisions) add(work, size, precision);
     for (const Size& size : two_sizes)

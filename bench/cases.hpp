@@ -14,6 +14,7 @@ enum class Work {
     accounted,  // whole steps that sum the work of every force
     measure,    // energy and stretch of the state as it is
     terms,      // whole steps of a flag composed in C++, its terms switched off one by one
+    mode,       // one look at the fastest mode, which the live limit takes for every thirty steps
     forces,     // accelerations stored instead of applied
     snapshot,   // what the renderer is handed each frame: a copy of the positions; the upload by OpenGL is not in it
     copy,       // the plain copy of a state, memcpy of its six components

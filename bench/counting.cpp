@@ -49,7 +49,8 @@ void run_counted(Counted what, const CountedKernels& k) {
                 do_counted<Real>(what, model, kernels_of<Lane, SemiImplicitEuler, damped(), diagonals(), false>());
             else
                 with_method(k.method, [&]<class M>(const M&) {
-                    do_counted<Real>(what, model, kernels_of<Lane, M, damped(), diagonals()>());
+                    if constexpr (!M::solves)  // what those take depends on the motion
+                        do_counted<Real>(what, model, kernels_of<Lane, M, damped(), diagonals()>());
                 });
         });
     });

@@ -26,7 +26,7 @@ double ns_to_move(double bytes, std::size_t set_bytes, double Level::*bandwidth,
 }  // namespace
 
 Counts count_operations(const Case& c) {
-    if (c.work == Work::snapshot || c.work == Work::copy) return {};
+    if (c.work == Work::snapshot || c.work == Work::copy || c.work == Work::mode) return {};
     const Counted what = c.work == Work::measure     ? Counted::measurement
                          : c.work == Work::forces    ? Counted::evaluation
                          : c.work == Work::accounted ? Counted::accounted_step
@@ -55,7 +55,7 @@ Floor floor_of(const Case& c, const Counts& counts, const Peaks& peaks) {
         rate = &Level::update;
     } else if (c.work == Work::measure) {
         moved = 6 * real, set_bytes = masses * moved, rate = &Level::load;
-    } else if (c.work == Work::forces) {
+    } else if (c.work == Work::forces || c.work == Work::mode) {
         moved = 9 * real, set_bytes = masses * moved;
     } else if (c.work == Work::snapshot) {
         moved = 3 * (real + sizeof(float)), set_bytes = masses * moved;

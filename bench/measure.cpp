@@ -10,7 +10,7 @@ namespace drapeau::bench {
 namespace {
 
 bool has_plain_rival(const Case& c) {
-    return c.work == Work::watched || c.work == Work::accounted || c.work == Work::measure;
+    return c.work == Work::watched || c.work == Work::accounted || c.work == Work::measure || c.work == Work::mode;
 }
 
 bool has_report_rival(const Case& c) {

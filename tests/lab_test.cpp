@@ -254,6 +254,55 @@ TEST_CASE("results are a table for a person, a JSON object and a CSV row for pro
     CHECK_FALSE(std::getline(csv, more));
 }
 
+TEST_CASE("a run tells its error, or why it has none, what its step was chosen by and the best step in float") {
+    const Bench bench;
+    const auto json_of = [&](const std::string& arguments) {
+        const auto outcome = bench.run("run " + arguments + " --json r.json");
+        INFO(outcome.messages);
+        CHECK(outcome.status == 0);
+        return std::pair(outcome.output, contents(bench.path / "r.json"));
+    };
+    const auto number = [](const std::string& json, const std::string& key) {
+        const auto at = json.find("\"" + key + "\": ");
+        REQUIRE(at != std::string::npos);
+        return std::atof(json.c_str() + at + key.size() + 4);
+    };
+    const auto [table, json] = json_of("report --seconds 1 --set flag.columns=20 --set flag.rows=14");
+    CHECK(has(table, "limit: stiffness of the springs)"));
+    CHECK(has(table, "mm per simulated second, over the last 0.1000 s"));
+    CHECK(has(table, "best step in float"));
+    CHECK(has(json, "\"dt_reason\": \"limit: stiffness of the springs\""));
+    CHECK(has(json, "\"error_reason\": \"\""));
+    CHECK(number(json, "error_m_per_s") > 1e-5);
+    CHECK(number(json, "error_m_per_s") < 1e-2);
+    CHECK(number(json, "best_float_step_s") > 1e-7);
+
+    // A tolerance of a third of it takes about three times the steps.
+    const double asked = number(json, "error_m_per_s") / 3.0;
+    const auto [fine_table, fine] = json_of(
+        "report --seconds 1 --set flag.columns=20 --set flag.rows=14 --set "
+        "time.precision=double --set time.tolerance=" +
+        std::to_string(asked));
+    CHECK(has(fine_table, " mm/s asked)"));
+    CHECK_FALSE(has(fine_table, "best step in float"));
+    CHECK(has(fine, "\"best_float_step_s\": null"));
+    CHECK(number(fine, "dt_s") < 0.75 * number(json, "dt_s"));
+    CHECK(number(fine, "error_m_per_s") < 2.0 * asked);  // one window of a flag that is not the same at any time
+
+    const auto [given_table, given] = json_of("spring --seconds 0.05 --dt 0.001");
+    CHECK(has(given, "\"dt_reason\": \"given\""));
+    CHECK(has(given_table, "over the last 0.05000 s"));
+    const auto [none_table, none] = json_of("spring --seconds 0 --dt 0.001");
+    CHECK(has(none_table, "not resolvable: the run is shorter"));
+    CHECK(has(none, "\"error_m_per_s\": null"));
+    CHECK(has(none, "\"error_reason\": \"the run is shorter"));
+
+    check_refused(bench.run("run report --seconds 0.51 --set time.tolerance=0.001"),
+                  "a whole number of sixtieths of a second is allowed, such as 0.516666666667");
+    check_refused(bench.run("run report --seconds 1 --dt 0.0001 --set time.tolerance=0.001"),
+                  "goes with time.dt = \"auto\" only");
+}
+
 TEST_CASE("results hold whatever a scene is called") {
     const Bench bench;
     const std::string name = "A \"flag\", of 2 m; \\ \xc3\xa9";
@@ -355,7 +404,6 @@ TEST_CASE("a bad command line is refused in one line") {
                       "--threads: " + threads + ": a whole number from 1 to 256 is allowed");
     }
     check_refused(bench.run("run storm --seconds 1 --method rk5"), "--method = \"rk5\": \"forward-euler\"");
-    check_refused(bench.run("run storm --seconds 1 --method xpbd"), "not available in this version");
     // 10^15 steps are more than anybody waits for: said before they begin, with the estimate.
     std::string light = sheet;
     light.replace(light.find("mass = 0.01"), 11, "mass = 1e-9\ndrag = 1e6");

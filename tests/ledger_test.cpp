@@ -1,10 +1,8 @@
-// The energy ledger tells good runs from garbage, over scenes made by seed.
-//
-// Good: over the run, mean energy and mean 99th percentile of stretch stay within 20 % of a run at an eighth of the
-// step in double. Garbage: they are off by more than a factor of two, or not finite. In between is neither. Motion is
-// chaotic, so means over the run are compared, and energies only above a millionth of what there was to begin with.
+// The energy ledger tells good runs from garbage, over scenes made by seed (quality.hpp says what
+// is good and what garbage).
 #include "all_methods.hpp"
 #include "catch.hpp"
+#include "quality.hpp"
 #include "run/engine.hpp"
 #include "run/simulation.hpp"
 #include "scene/file.hpp"
@@ -13,9 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 using namespace drapeau;
+using namespace drapeau::testing;
 
 namespace {
 
@@ -70,29 +68,6 @@ Scene scene_of(std::uint64_t seed) {
     return scene;
 }
 
-struct Means {
-    double energy = 0.0, stretch = 0.0;  // J; share, of the 99th percentile
-
-    bool is_finite() const { return std::isfinite(energy) && std::isfinite(stretch); }
-};
-
-/// The 99th percentile of l/L over the structural springs.
-double percentile_99(const State<double>& state, const Grid& grid) {
-    std::vector<double> all;
-    const auto look = [&](int i, int j, int i2, int j2, double rest) {
-        const auto d = state.position.at(i2, j2) - state.position.at(i, j);
-        all.push_back(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z) / rest);
-    };
-    for (int j = 0; j < grid.rows; ++j)
-        for (int i = 0; i < grid.columns; ++i) {
-            if (i + 1 < grid.columns) look(i, j, i + 1, j, grid.pitch_x);
-            if (j + 1 < grid.rows) look(i, j, i, j + 1, grid.pitch_y);
-        }
-    const auto at = all.begin() + static_cast<std::ptrdiff_t>(all.size() * 99 / 100);
-    std::nth_element(all.begin(), at, all.end());
-    return *at;
-}
-
 /// A run that nothing watches, at a step of its own (s).
 Means unwatched(const Scene& scene, double dt, Precision precision) {
     const Model model = model_of(scene);
@@ -112,16 +87,6 @@ Means unwatched(const Scene& scene, double dt, Precision precision) {
         means.stretch += percentile_99(engine->state(now), model.grid) / batches;
     }
     return means;
-}
-
-enum class Kind { good, between, garbage };
-
-Kind kind_of(const Means& run, const Means& reference, double floor) {
-    if (!run.is_finite()) return Kind::garbage;
-    const double energy = (run.energy + floor) / (reference.energy + floor), stretch = run.stretch / reference.stretch;
-    const auto off_by = [](double ratio, double by) { return ratio > by || ratio < 1.0 / by; };
-    if (off_by(energy, 2.0) || off_by(stretch, 2.0)) return Kind::garbage;
-    return std::abs(energy - 1.0) < 0.2 && std::abs(stretch - 1.0) < 0.2 ? Kind::good : Kind::between;
 }
 
 /// Whether a watched run is called diverged.

@@ -247,6 +247,17 @@ using AllCases = decltype(std::tuple_cat(FloatCases{}, DoubleCases{}));
 using WrittenOut = std::tuple<ForwardEuler, SemiImplicitEuler, Leapfrog, Rk4>;
 using WrittenOutDouble = CasesOf<double, WrittenOut>::type;
 using WrittenOutCases = decltype(std::tuple_cat(CasesOf<float, WrittenOut>::type{}, WrittenOutDouble{}));
+// The same of one mass on one spring, of all methods.
+using ClosedForm = std::tuple<ForwardEuler, SemiImplicitEuler, Leapfrog, Rk4, ImplicitEuler, Xpbd>;
+using ClosedFormDouble = CasesOf<double, ClosedForm>::type;
+using ClosedFormCases = decltype(std::tuple_cat(CasesOf<float, ClosedForm>::type{}, ClosedFormDouble{}));
+// Methods that the sweep moves, which do not take whole steps of their own.
+template <class... M>
+auto swept(std::tuple<M...>)
+    -> decltype(std::tuple_cat(std::conditional_t<M::solves, std::tuple<>, std::tuple<M>>{}...));
+using Swept = decltype(swept(Methods{}));
+using SweptDouble = CasesOf<double, Swept>::type;
+using SweptCases = decltype(std::tuple_cat(CasesOf<float, Swept>::type{}, SweptDouble{}));
 using Precisions = std::tuple<float, double>;
 
 // Kernels are compiled once, in physics_sheet.cpp.
@@ -257,7 +268,9 @@ using Precisions = std::tuple<float, double>;
     DRAPEAU_TESTED_KERNELS(prefix, ForwardEuler)      \
     DRAPEAU_TESTED_KERNELS(prefix, SemiImplicitEuler) \
     DRAPEAU_TESTED_KERNELS(prefix, Leapfrog)          \
-    DRAPEAU_TESTED_KERNELS(prefix, Rk4)
+    DRAPEAU_TESTED_KERNELS(prefix, Rk4)               \
+    DRAPEAU_TESTED_KERNELS(prefix, ImplicitEuler)     \
+    DRAPEAU_TESTED_KERNELS(prefix, Xpbd)
 DRAPEAU_ALL_TESTED_KERNELS(extern)
 
 }  // namespace drapeau::testing

@@ -99,7 +99,10 @@ public:
         }
         scene.time.method = static_cast<Method>(whole(0, static_cast<int>(method_count) - 1));
         scene.time.precision = static_cast<Precision>(whole(0, 1));
-        if (coin()) scene.time.dt = positive(1e-9, 1e3);
+        if (coin())
+            scene.time.dt = positive(1e-9, 1e3);
+        else if (coin())
+            scene.time.tolerance = positive(1e-9, 1e3);
         scene.view = {coin(), coin(), coin(), coin(), coin(), coin()};
         return scene;
     }
@@ -243,7 +246,7 @@ TEST_CASE("an impossible value is named with its file, line, key and what is all
     CHECK(message_of("[flag]\ncolumns = 0\n" + springs) ==
           "storm.toml:2: flag.columns = 0: a whole number from 1 to 4096 is allowed");
     CHECK(message_of("\n\n\n\n\n[springs]\nmass = -1\nstiffness = 2\n") ==
-          "storm.toml:7: springs.mass = -1: a number from 1e-09 to 1000 is allowed");
+          "storm.toml:7: springs.mass = -1: a number from 1e-09 to 1000000 is allowed");
 
     struct Case {
         std::string line, named, allowed;
@@ -315,16 +318,6 @@ TEST_CASE("what the format reserves for later is refused as not available") {
         INFO(message);
         CHECK(message.starts_with("storm.toml:4: [" + table + "]: not available in this version"));
     }
-    CHECK(has(message_of("[time]\ntolerance = 0.1\n" + springs), "time.tolerance = 0.1: not available"));
-    for (const std::string method : {"implicit-euler", "xpbd"}) {
-        const std::string message = message_of("[time]\nmethod = \"" + method + "\"\n" + springs);
-        INFO(message);
-        CHECK(has(message,
-                  "storm.toml:2: time.method = \"" + method + "\": not available in this version; \"forward-euler\""));
-        const Assignment assignment{"--method", "time.method", method};
-        CHECK(has(message_from([&] { parse_scene(springs, "storm.toml", std::span(&assignment, 1)); }),
-                  "--method = \"" + method + "\": not available"));
-    }
 }
 
 TEST_CASE("an image that is text is no scene, and the message says where it goes") {
@@ -343,6 +336,14 @@ TEST_CASE("a scene has exactly one material") {
 TEST_CASE("wind that nothing feels is an error") {
     CHECK(has(message_of(springs + "[wind]\nvelocity = [1, 0, 0]\n"), "storm.toml:4: wind: nothing would feel it"));
     CHECK(message_of(springs + "drag = 0.1\n[wind]\nvelocity = [1, 0, 0]\n").empty());
+}
+
+TEST_CASE("a tolerance goes with an automatic step, and one beside a given step is an error") {
+    CHECK(parse_scene(springs + "[time]\ntolerance = 0.001\n", "x").time.tolerance == 0.001);
+    CHECK(parse_scene(springs + "[time]\ndt = \"auto\"\ntolerance = 1\n", "x").time.tolerance == 1.0);
+    CHECK(message_of(springs + "[time]\ndt = 0.01\ntolerance = 0.001\n") ==
+          "storm.toml:6: time.tolerance = 0.001: goes with time.dt = \"auto\" only, and the step is given");
+    CHECK(has(message_of(springs + "[time]\ntolerance = 0\n"), "time.tolerance = 0: a number from 1e-09 to 1000"));
 }
 
 TEST_CASE("one mass alone is an error, a chain is none") {
@@ -463,6 +464,7 @@ Scene unusual_scene() {
             }
         });
     });
+    scene.time.tolerance.reset();  // goes with an automatic step only
     return scene;
 }
 
@@ -512,7 +514,7 @@ TEST_CASE("an assignment may be said as people say it, and is refused as in a fi
     CHECK(has(refused("flag.colums=3"), "--set flag.colums = 3: unknown key; did you mean columns?"));
     CHECK(has(refused("flg.columns=3"), "unknown table; did you mean flag?"));
     CHECK(has(refused("columns=3"), "--set columns = 3: unknown key; it belongs under [flag]"));
-    CHECK(has(refused("time.method=xpbd"), "--set time.method = \"xpbd\": not available in this version"));
+    CHECK(has(refused("time.method=xpbdd"), "--set time.method = \"xpbdd\": \"forward-euler\""));
     CHECK(has(refused("springs=off"), "--set springs = \"off\": a table is expected"));
     CHECK(has(refused("springs.mass=off"), "--set springs.mass = \"off\": a number"));
     CHECK(has(refused("limit=on"), "--set limit: limit.stretch is missing"));

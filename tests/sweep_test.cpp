@@ -103,7 +103,7 @@ TEMPLATE_LIST_TEST_CASE("Padding feels nothing and keeps still", "[physics]", Al
     }
 }
 
-TEMPLATE_LIST_TEST_CASE("Blocks of rows with halos of any depth have the bits of the whole", "[physics]", AllCases) {
+TEMPLATE_LIST_TEST_CASE("Blocks of rows with halos of any depth have the bits of the whole", "[physics]", SweptCases) {
     using Real = typename TestType::Real;
     using Method = typename TestType::Method;
     constexpr int steps = 4, rows = 7;

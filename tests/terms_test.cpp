@@ -31,26 +31,22 @@ static_assert(FlagOf<SpringDamping>::damped && !FlagOf<SpringDamping>::diagonals
 static_assert(FlagOf<DiagonalSprings>::diagonals && !FlagOf<DiagonalSprings>::damped);
 static_assert(FlagOf<AirDrag>::rated && FlagOf<Friction>::rated && !FlagOf<Gravity, StretchLimit>::rated);
 
-/// What a pass of a step does to a mass between the borders: the difference that one more row makes, by its masses.
-/// `watched`: the field whose loads are counted apart.
-template <class Real, class Method, bool diagonals, bool damped, bool rated, int pass = 0>
-Counts per_mass(int watched = 1) {
+/// What `pass` does to a mass between the borders: the difference that one more row makes, by its masses. `fields`: as
+/// many as its method has; `watched`: the field whose loads are counted apart.
+template <class Real>
+Counts per_mass(const Springs& springs, int fields, int watched, void (*pass)(const Pass<Real>&)) {
     constexpr int columns = 16;  // a whole number of the widest registers: no padding is counted
     const auto of_rows = [&](int rows) {
-        Springs springs{0.01, 200.0, {}, {}};
-        if (diagonals) springs.diagonal_stiffness = 100.0;
-        if (damped) springs.damping = 0.0;  // zero, but listed
         const Model model({columns, rows, 0.1, 0.1}, springs, Attach::hoist);
-        Rows<Real> cloth(model,
-                         std::vector<FieldBuffer<Real>>(static_cast<std::size_t>(Method::template fields<damped>),
-                                                        FieldBuffer<Real>(columns, rows)));
+        Rows<Real> cloth(
+            model, std::vector<FieldBuffer<Real>>(static_cast<std::size_t>(fields), FieldBuffer<Real>(columns, rows)));
         auto given = cloth.whole(1e-4);
         given.accelerate = nullptr;
         Counts& now = Counts::now();
         now = {};
         const auto& seen = cloth.fields[static_cast<std::size_t>(watched)].component(0);
         now.watched_from = seen.begin(), now.watched_to = seen.end();
-        advance_rows<CountedLane<Real>, Method, pass, damped, diagonals, rated>(given);
+        pass(given);
         return now;
     };
     const Counts more = of_rows(6), fewer = of_rows(5);
@@ -62,19 +58,27 @@ Counts per_mass(int watched = 1) {
     return mass;
 }
 
+/// The first pass of a step of a composition.
+template <class Real, class Method, bool diagonals, bool damped, bool rated>
+Counts per_mass(int watched = 1) {
+    Springs springs{0.01, 200.0, {}, {}};
+    if (diagonals) springs.diagonal_stiffness = 100.0;
+    if (damped) springs.damping = 0.0;  // zero, but listed
+    return per_mass<Real>(springs, Method::template fields<damped>, watched,
+                          &advance_rows<CountedLane<Real>, Method, 0, damped, diagonals, rated>);
+}
+
 double arithmetic(const Counts& c) {
     return c.multiplications + c.additions + c.divisions + c.others;
 }
 
-}  // namespace
+/// What a mass costs with nothing listed and with more.
+struct Costs {
+    Counts bare, rated, damped, diagonals, both;  // both: damped, with diagonals
+};
 
-TEMPLATE_LIST_TEST_CASE("What is listed costs, what is not costs nothing", "[physics]", AllCases) {
-    using Real = typename TestType::Real;
-    using Method = typename TestType::Method;
-    const Counts bare = per_mass<Real, Method, false, false, false>();
-    const Counts rated = per_mass<Real, Method, false, false, true>(),
-                 damped = per_mass<Real, Method, false, true, false>(),
-                 diagonals = per_mass<Real, Method, true, false, false>();
+void check(const Costs& cost) {
+    const auto& [bare, rated, damped, diagonals, both] = cost;
     for (const Counts& listed : {rated, damped, diagonals}) {
         CHECK(arithmetic(listed) > arithmetic(bare));
         CHECK(listed.loads > bare.loads);
@@ -86,7 +90,6 @@ TEMPLATE_LIST_TEST_CASE("What is listed costs, what is not costs nothing", "[phy
     CHECK(diagonals.stores == bare.stores);
     // A damper costs the same whatever else is listed: what it adds for two springs a mass it adds twice for four, but
     // for velocities that are looked at once for several springs.
-    const Counts both = per_mass<Real, Method, true, true, false>();
     const double for_two = damped.multiplications - bare.multiplications,
                  for_four = both.multiplications - diagonals.multiplications;
     CHECK(for_four - for_two > 0.0);
@@ -97,7 +100,19 @@ TEMPLATE_LIST_TEST_CASE("What is listed costs, what is not costs nothing", "[phy
     CHECK(2.0 * (diagonals.multiplications - bare.multiplications) > bare.multiplications);
 }
 
-TEMPLATE_LIST_TEST_CASE("Without damping no neighbour's velocity is read", "[physics]", AllCases) {
+}  // namespace
+
+TEMPLATE_LIST_TEST_CASE("What is listed costs, what is not costs nothing", "[physics]", SweptCases) {
+    using Real = typename TestType::Real;
+    using Method = typename TestType::Method;
+    check({.bare = per_mass<Real, Method, false, false, false>(),
+           .rated = per_mass<Real, Method, false, false, true>(),
+           .damped = per_mass<Real, Method, false, true, false>(),
+           .diagonals = per_mass<Real, Method, true, false, false>(),
+           .both = per_mass<Real, Method, true, true, false>()});
+}
+
+TEMPLATE_LIST_TEST_CASE("Without damping no neighbour's velocity is read", "[physics]", SweptCases) {
     using Real = typename TestType::Real;
     using Method = typename TestType::Method;
     constexpr int seen = Method::template seen_velocity<true>, kept = Method::template seen_velocity<false>;
@@ -107,7 +122,7 @@ TEMPLATE_LIST_TEST_CASE("Without damping no neighbour's velocity is read", "[phy
     CHECK(damped.watched_loads >= 4.0);  // the four masses of its cell
 }
 
-TEMPLATE_LIST_TEST_CASE("Without damping no mass feels how its neighbours move", "[physics]", AllCases) {
+TEMPLATE_LIST_TEST_CASE("Without damping no mass feels how its neighbours move", "[physics]", SweptCases) {
     using Real = typename TestType::Real;
     using Method = typename TestType::Method;
     for (const bool diagonals : {false, true}) {

@@ -32,14 +32,16 @@ DRAPEAU_INLINE Vec3<V> acceleration_of(const Vec3<V>& force, V inverse_mass, con
             L::where_positive(inverse_mass, a.z)};
 }
 
-/// Sweeps the rows of a pass. Calls finish(fields of the row, its constants, i, value) on each register and
-/// row_end(j, operation) after each row, those of the halo above included.
+/// Sweeps the rows of a pass, `fresh` beginning each. Calls finish(fields of the row, its constants, i, value) on each
+/// register and row_end(j, operation) after each row, those of the halo above included.
 template <class V, class Operation, bool diagonals, int fields, int seen_position, int seen_velocity, class Finish,
           class RowEnd>
-DRAPEAU_INLINE void for_rows(const Pass<typename Lanes<V>::Real>& pass, Finish&& finish, RowEnd&& row_end) {
+DRAPEAU_INLINE void for_rows(const Pass<typename Lanes<V>::Real>& pass, Finish&& finish, RowEnd&& row_end,
+                             const Operation& fresh = {}) {
     using Real = typename Lanes<V>::Real;
     Sweep<V, Operation, diagonals> sweep(pass.waiting, pass.width);
     sweep.begin();
+    sweep.operation = fresh;
     const bool at_top = pass.above[0].x == nullptr, at_bottom = pass.below[0].x == nullptr;
     const int first = at_top ? pass.first : pass.first - pass.halo, seen_last = at_bottom ? pass.last : pass.last + 1;
     PassRow<Real, fields> here(pass, first), next = here;
@@ -54,7 +56,7 @@ DRAPEAU_INLINE void for_rows(const Pass<typename Lanes<V>::Real>& pass, Finish&&
                   [&](int i, const typename Operation::Value& value)
                       DRAPEAU_INLINE_LAMBDA { finish(here.field, constants, i, value); });
         row_end(j, sweep.operation);
-        sweep.operation = {};
+        sweep.operation = fresh;
         here = next;
     }
 }
@@ -81,34 +83,28 @@ void advance_rows(const Pass<typename Lanes<V>::Real>& pass) {
         [](int, const auto&) DRAPEAU_INLINE_LAMBDA {});
 }
 
-/// The same pass, its forces taken apart and their work summed for each row: dt F . v with the method's own v and
-/// weight, so that the work of all forces is what the kinetic energy gains.
-template <class V, class Method, int number, bool damped, bool diagonals>
-void advance_rows_accounted(const Pass<typename Lanes<V>::Real>& pass) {
+/// Evaluates the forces in parts and sums their work for each row: `share` of dt F . v with the v of move(masses,
+/// constants, a), which moves a register or only says how it moves.
+template <class V, bool damped, bool diagonals, int fields, int seen_position, int seen_velocity, class Move>
+DRAPEAU_INLINE void for_rows_accounted(const Pass<typename Lanes<V>::Real>& pass, double share, Move&& move) {
     using L = Lanes<V>;
-    using Real = typename L::Real;
-    constexpr int fields = Method::template fields<damped>;
     const auto pushed = pass.acceleration;
-    const Real dt = pass.dt;
     V external{}, damping{};
     Vec3<V> drift{};
-    for_rows<V, SpringForceParts<V, damped>, diagonals, fields, Method::template seen_position<damped>,
-             Method::template seen_velocity<damped>>(
+    for_rows<V, SpringForceParts<V, damped>, diagonals, fields, seen_position, seen_velocity>(
         pass,
-        [&](const Field<Real>* row, const RowConstants<Real>& constants, int i, const Parts<V>& force)
-            DRAPEAU_INLINE_LAMBDA {
-                const V w = L::load(constants.inverse_mass + i), m = L::load(constants.mass + i);
-                const auto springs = force.elastic + force.damping;
-                const auto a = acceleration_of(springs, w, pushed.template at<V>(i));
-                const auto motion =
-                    Method::template move<number, damped>(Masses<V>{row, i}, a, L::load(constants.rate + i), dt);
-                external = external + m * dot(motion.acceleration - w * springs, motion.velocity);
-                damping = damping + dot((m * w) * force.damping, motion.velocity);
-                drift = drift + m * motion.velocity;
-            },
+        [&](const auto* row, const auto& constants, int i, const Parts<V>& force) DRAPEAU_INLINE_LAMBDA {
+            const V w = L::load(constants.inverse_mass + i), m = L::load(constants.mass + i);
+            const auto springs = force.elastic + force.damping;
+            const auto a = acceleration_of(springs, w, pushed.template at<V>(i));
+            const auto motion = move(Masses<V>{row, i}, constants, a);
+            external = external + m * dot(motion.acceleration - w * springs, motion.velocity);
+            damping = damping + dot((m * w) * force.damping, motion.velocity);
+            drift = drift + m * motion.velocity;
+        },
         [&](int j, const auto&) DRAPEAU_INLINE_LAMBDA {
             if (j >= pass.first) {
-                const double step = static_cast<double>(dt) * Method::weight[number];
+                const double step = static_cast<double>(pass.dt) * share;
                 pass.sums[j].external_work += step * sum_of(external);
                 pass.sums[j].damping_work += step * sum_of(damping);
                 pass.sums[j].drift[0] += step * sum_of(drift.x);
@@ -117,6 +113,18 @@ void advance_rows_accounted(const Pass<typename Lanes<V>::Real>& pass) {
             }
             external = damping = V{};
             drift = Vec3<V>{};
+        });
+}
+
+/// One pass of a step, its forces taken apart and their work summed with the method's own v and weight, so that the
+/// work of all forces is what the kinetic energy gains.
+template <class V, class Method, int number, bool damped, bool diagonals>
+void advance_rows_accounted(const Pass<typename Lanes<V>::Real>& pass) {
+    for_rows_accounted<V, damped, diagonals, Method::template fields<damped>, Method::template seen_position<damped>,
+                       Method::template seen_velocity<damped>>(
+        pass, Method::weight[number],
+        [&](const Masses<V>& masses, const auto& constants, const Vec3<V>& a) DRAPEAU_INLINE_LAMBDA {
+            return Method::template move<number, damped>(masses, a, Lanes<V>::load(constants.rate + masses.i), pass.dt);
         });
 }
 
@@ -142,12 +150,8 @@ void measure_rows(const Pass<typename Lanes<V>::Real>& pass) {
                 kinetic = kinetic + m * dot(v, v + dt * a);
             else
                 kinetic = kinetic + m * dot(v, v);
-            if constexpr (Method::starts_with_forces) {
-                const auto centred = v + (Real(0.5) * dt) * a;
-                kinetic_now = kinetic_now + m * dot(centred, centred);
-            } else {
-                kinetic_now = kinetic_now + m * dot(v, v);
-            }
+            const auto centred = v + pass.half_kick * a;
+            kinetic_now = kinetic_now + m * dot(centred, centred);
             power = power + m * dot(a - w * force.elastic, v);
             moment = moment + m * row[0].template at<V>(i);
         },
@@ -188,6 +192,46 @@ void evaluate_rows(const Pass<typename Lanes<V>::Real>& pass) {
         });
 }
 
+/// u -> M^-1 [(k_weight K + c_weight C) u] + rate_weight * rate u, u being field 1, stored in pass.out: K and C are the
+/// Hessian of the springs as they are and of their dampers. The rows' sums get u.Ku, u.Cu and rate u.Mu (as elastic,
+/// damping_work and external_work) and, as products, u.Mu and |out|^2 with M.
+template <class V, bool damped, bool diagonals>
+void stiffness_rows(const Pass<typename Lanes<V>::Real>& pass) {
+    using L = Lanes<V>;
+    using Real = typename L::Real;
+    const Real k_weight = static_cast<Real>(pass.k_weight), c_weight = static_cast<Real>(pass.c_weight),
+               rate_weight = static_cast<Real>(pass.rate_weight);
+    Field<Real> out = pass.out.row(pass.first);  // a halo's values are overwritten by the row's own
+    V elastic{}, damping{}, external{}, before{}, after{};
+    for_rows<V, SpringHessianParts<V, damped>, diagonals, 2, 0, 1>(
+        pass,
+        [&](const Field<Real>* row, const RowConstants<Real>& constants, int i, const Parts<V>& pull)
+            DRAPEAU_INLINE_LAMBDA {
+                const V w = L::load(constants.inverse_mass + i), m = L::load(constants.mass + i),
+                        rate = L::load(constants.rate + i);
+                const auto u = row[1].template at<V>(i);
+                const auto resisting = V{} - (w * k_weight), braking = V{} - (w * c_weight);
+                const auto result = acceleration_of(resisting * pull.elastic + braking * pull.damping,
+                                                    L::where_positive(w, L::broadcast(1)), (rate_weight * rate) * u);
+                out.set(i, result);
+                elastic = elastic - dot(u, pull.elastic);
+                if constexpr (damped) damping = damping - dot(u, pull.damping);
+                external = external + (m * rate) * dot(u, u);
+                before = before + m * dot(u, u);
+                after = after + m * dot(result, result);
+            },
+        [&](int j, const auto&) DRAPEAU_INLINE_LAMBDA {
+            if (j >= pass.first) {
+                RowSums& sums = pass.sums[j];
+                sums.elastic = sum_of(elastic), sums.damping_work = sum_of(damping);
+                sums.external_work = sum_of(external);
+                sums.products[0][0] = sum_of(before), sums.products[0][1] = sum_of(after);
+                out = pass.out.row(j + 1);
+            }
+            elastic = damping = external = before = after = V{};
+        });
+}
+
 /// A method's kernels in registers of V.
 template <class V, class Method, bool damped, bool diagonals, bool rated = true>
 constexpr Kernels<typename Lanes<V>::Real> kernels_of() {
@@ -199,14 +243,20 @@ constexpr Kernels<typename Lanes<V>::Real> kernels_of() {
     k.seen_velocity = Method::template seen_velocity<damped>;
     k.staggered = Method::staggered;
     k.starts_with_forces = Method::starts_with_forces;
-    [&]<int... n>(std::integer_sequence<int, n...>) {
-        ((k.stage_time[n] = Method::stage_time[n]), ...);
-        ((k.advance[n] = &advance_rows<V, Method, n, damped, diagonals, rated>), ...);
-        ((k.advance_accounted[n] = &advance_rows_accounted<V, Method, n, damped, diagonals>), ...);
+    if constexpr (Method::solves) {
+        k.stage_time[0] = Method::stage_time[0];
+        k.step = &Method::template step<V, damped, diagonals>;
+    } else {
+        [&]<int... n>(std::integer_sequence<int, n...>) {
+            ((k.stage_time[n] = Method::stage_time[n]), ...);
+            ((k.advance[n] = &advance_rows<V, Method, n, damped, diagonals, rated>), ...);
+            ((k.advance_accounted[n] = &advance_rows_accounted<V, Method, n, damped, diagonals>), ...);
+        }
+        (std::make_integer_sequence<int, Method::passes>());
     }
-    (std::make_integer_sequence<int, Method::passes>());
-    k.measure = &measure_rows<V, Method, damped, diagonals>;
-    k.evaluate = &evaluate_rows<V, Method, damped, diagonals>;
+    k.stiffness = &stiffness_rows<V, damped, diagonals>;
+    k.measure = &measure_rows<V, typename Method::Looks, damped, diagonals>;
+    k.evaluate = &evaluate_rows<V, typename Method::Looks, damped, diagonals>;
     k.start = &Method::template start<damped, Real>;
     k.synchronised = &Method::template synchronised<damped, Real>;
     k.follow = &Method::template follow<damped, Real>;

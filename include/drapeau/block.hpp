@@ -70,10 +70,12 @@ public:
 
     /// Takes the steps from <= n < to of the clock; in step `accounted` the work of every force is summed. `meet`
     /// returns when every block has come there; after_the_move(step) is called by every block between two meetings.
+    /// `solves` gets what solving took; null but for one block.
     template <class Meet, class AfterTheMove>
     void advance(const Clock& clock, long long from, long long to, long long accounted, Meet&& meet,
-                 AfterTheMove&& after_the_move) {
+                 AfterTheMove&& after_the_move, Solves* solves) {
         const auto& k = body_.kernels;
+        if (k.step) return solve(clock, from, to, accounted, meet, after_the_move, solves);
         Pass<Real> p = pass(clock.dt);
         int parity = 0;
         hand_over(parity);
@@ -96,15 +98,23 @@ public:
     /// A pass that moves nothing, at time `now` (s), for a method that was started with the step dt (s).
     void look(double now, double dt, void (*kernel)(const Pass<Real>&), const Field<Real>& out) {
         Pass<Real> p = pass(dt);
-        const auto view = [&](int row, Field<Real>* halo) {
-            for (int f = 0; f < body_.kernels.fields; ++f) halo[f] = body_.fields[f].view().row(row);
-        };
-        if (first_ > 0) view(first_ - halo_rows, p.above);
-        if (last_ < p.rows) view(last_, p.below);
+        look_beyond(p);
         p.time = now;
         p.out = out;
         if (!p.accelerate) accelerate(first_, now);
         kernel(p);
+    }
+
+    /// The Hessian (stiffness_rows in advance.hpp) times a direction, into `out`.
+    void stiffness(double k_weight, double c_weight, double rate_weight, const Field<Real>& direction,
+                   const Field<Real>& out) {
+        Pass<Real> p = pass(0.0);
+        p.accelerate = nullptr;
+        p.fields[1] = direction;
+        look_beyond(p);
+        p.k_weight = k_weight, p.c_weight = c_weight, p.rate_weight = rate_weight;
+        p.out = out;
+        body_.kernels.stiffness(p);
     }
 
     /// Kinetic energy of the velocities as stored, into the rows' sums.
@@ -122,6 +132,34 @@ public:
     }
 
 private:
+    /// Whole steps: nothing that neighbours look at changes but between two meetings, so they look at it where it is.
+    template <class Meet, class AfterTheMove>
+    void solve(const Clock& clock, long long from, long long to, long long accounted, Meet&& meet,
+               AfterTheMove&& after_the_move, Solves* solves) {
+        Pass<Real> p = pass(clock.dt);
+        look_beyond(p);
+        p.meet = [](void* team) { (*static_cast<std::remove_reference_t<Meet>*>(team))(); };
+        p.team = const_cast<void*>(static_cast<const void*>(&meet));
+        p.solves = solves;
+        p.all_free = body_.model.is_free();
+        for (long long step = from; step < to; ++step) {
+            p.time = clock.at(step) + body_.kernels.stage_time[0] * clock.dt;
+            p.accounted = step == accounted;
+            if (!p.accelerate) accelerate(first_, p.time);
+            body_.kernels.step(p);
+            after_the_move(step);
+            meet();
+        }
+    }
+
+    /// Instead of halos, the neighbours' rows themselves.
+    void look_beyond(Pass<Real>& p) {
+        if (first_ > 0)
+            for (int f = 0; f < max_fields; ++f) p.above[f] = p.fields[f].row(first_ - halo_rows);
+        if (last_ < p.rows)
+            for (int f = 0; f < max_fields; ++f) p.below[f] = p.fields[f].row(last_);
+    }
+
     Pass<Real> pass(double dt) {
         Pass<Real> p{};
         for (int f = 0; f < body_.kernels.fields; ++f) p.fields[f] = body_.fields[f].view();
@@ -133,6 +171,7 @@ private:
         if (body_.model.varies_by_row()) p.accelerate = &accelerate_row;
         p.terms = this;
         p.dt = static_cast<Real>(dt);
+        p.half_kick = body_.kernels.starts_with_forces ? static_cast<Real>(0.5 * dt) : Real(0);
         p.waiting = waiting_.view();
         p.sums = body_.sums.data();
         return p;

@@ -50,7 +50,7 @@ struct RowConstants {
 };
 
 /// Position, velocity and what a method keeps, by the method's own numbering; positions are 0, velocities 1.
-inline constexpr int max_fields = 6;
+inline constexpr int max_fields = 10;
 
 /// What springs from one row leave waiting for the row below: row-long arrays, one a component.
 template <class Real>
@@ -63,18 +63,32 @@ struct WaitingRow {
 
 /// Numbers a pass sums for each row, in double (see Report).
 struct RowSums {
-    double external_work;  // J, by drag, friction and every term that pushes masses
-    double damping_work;   // J, by the springs' dampers
-    double drift[3];       // kg m, sum of m v dt with the velocity that work is counted with
-    double elastic;        // J
-    double kinetic;        // J, as the ledger counts it
-    double kinetic_now;    // J, of velocities at the positions' time
-    double power;          // W, of all but the springs' elasticity, with the velocity as stored
-    double stretch;        // sum of |l - L| / L
-    double max_stretch;    // greatest (l - L) / L
-    double max_force;      // N, greatest |k (l - L)|
-    double force_squares;  // N2, sum of squares
-    double moment[3];      // kg m, sum of m x
+    double external_work;   // J, by drag, friction and every term that pushes masses
+    double damping_work;    // J, by the springs' dampers
+    double drift[3];        // kg m, sum of m v dt with the velocity that work is counted with
+    double elastic;         // J
+    double kinetic;         // J, as the ledger counts it
+    double kinetic_now;     // J, of velocities at the positions' time
+    double power;           // W, of all but the springs' elasticity, with the velocity as stored
+    double stretch;         // sum of |l - L| / L
+    double max_stretch;     // greatest (l - L) / L
+    double max_force;       // N, greatest |k (l - L)|
+    double force_squares;   // N2, sum of squares
+    double moment[3];       // kg m, sum of m x
+    double products[2][3];  // sums of methods that solve, in two banks (see there)
+};
+
+/// What solving took, summed over steps.
+struct Solves {
+    long long steps, linear_solves, iterations;  // linear solves: Newton's steps; iterations: of conjugate gradients
+    long long unsolved;                          // steps that were left at the best there was
+    double residual;                             // m/s, rms; the worst: how far velocities are from solving their step
+
+    void add(const Solves& other) {
+        steps += other.steps, linear_solves += other.linear_solves, iterations += other.iterations;
+        unsolved += other.unsolved;
+        residual = other.residual > residual ? other.residual : residual;
+    }
 };
 
 /// One pass over the rows first <= j < last: what a kernel is given.
@@ -91,11 +105,21 @@ struct Pass {
     Field<const Real> acceleration;                         // m/s2, of terms that push masses; one row for all, unless:
     void (*accelerate)(void* terms, int row, double time);  // null, or fills `acceleration` for a row
     void* terms;
-    double time;  // s, of this pass
-    Real dt;      // s
+    double time;     // s, of this pass
+    Real dt;         // s
+    Real half_kick;  // s, from the velocity stored to that of the position's time
     WaitingRow<Real> waiting;
-    RowSums* sums;    // of each row; written only by passes that account
+    RowSums* sums;    // of each row; written only by passes that account, and by methods that solve
     Field<Real> out;  // of passes that store
+    // Of whole steps: whether work is summed, where the members of a team meet, and what solving took (null but for one
+    // member).
+    bool accounted;
+    bool all_free;  // no mass is held
+    void (*meet)(void* team);
+    void* team;
+    Solves* solves;
+    // Of the passes that look for the fastest mode.
+    double k_weight, c_weight, rate_weight;
 };
 
 /// A composition compiled ahead: a method, whether springs are damped, whether there are diagonals.
@@ -107,10 +131,12 @@ struct Kernels {
     bool staggered;                    // the velocity stored is half a step behind the position
     bool starts_with_forces;           // start and synchronised need the acceleration
     double stage_time[4];              // of each pass, in steps from the step's beginning
+    void (*step)(const Pass<Real>&);   // a whole step, called by every member of a team with its rows; or null, and:
     void (*advance[4])(const Pass<Real>&);
     void (*advance_accounted[4])(const Pass<Real>&);  // the same within rounding, and the work done
     void (*measure)(const Pass<Real>&);               // energy and stretch; moves nothing
     void (*evaluate)(const Pass<Real>&);              // accelerations but for drag and friction, into `out`
+    void (*stiffness)(const Pass<Real>&);             // the Hessian times a direction, see advance.hpp
     // One mass: n is its element, a its acceleration but for drag and friction.
     void (*start)(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& a, Real rate, Real dt);
     Vec3<Real> (*synchronised)(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& a, Real rate, Real dt);

@@ -1,19 +1,28 @@
 // Method: what methods of integration are made of. A method is one file in methods/, a type with these members:
 //
 //   name, order, coarsest_step   its name in files, its order, the largest step (s) that anyone would want
+//   caution                      what it does to the motion by nature, in a few words; of methods that do
 //   creates_energy, dissipates_energy   by nature, where nothing damps
 //   automatic                    the share of the usual automatic step that suits it (1)
+//   solves                       whether it takes whole steps of its own (step), or is moved by the sweep (move)
 //   passes, stage_time, weight   force evaluations a step; of each, when in the step and its share in quadratures
 //   fields<damped>               position (0), velocity (1) and what the method keeps (2...)
 //   seen_position<damped>, seen_velocity<damped>   the fields that forces are evaluated at
 //   staggered                    the velocity stored is half a step behind the position
+//   Looks                        the method whose measure and evaluate do for this one too
 //   total(a, rate, v, dt)        the acceleration with drag and friction, from the one without
 //   move<pass, damped>(masses, a, rate, dt)   moves a register of masses; returns their Motion
+//   step<V, damped, diagonals>(pass)   a whole step of a member's rows, at pass.time
 //   starts_with_forces           whether the next two need the acceleration (they and follow are for one mass)
 //   start<damped>                at every start, position and velocity being of the same time: sets what is kept
 //   synchronised<damped>         the velocity at the position's time; asked only with starts_with_forces
 //   follow<damped>               moves a mass by dx and lets its velocity, and what is kept of both, follow
+//   smooth_step(oscillator)      if it has one: up to here an automatic step is smooth, though larger ones are stable
 //   stable_step(oscillator)      the largest stable step, see stability.hpp
+//   bound_is_safe_only           whether a single mode may be stable at larger steps than that
+//   growth(oscillator, dt)       what a mode's amplitude is multiplied with in a step; with damping_weight and
+//   damping_weight, on_mass_weight   on_mass_weight of the operator whose largest eigenvalue limits the step: of
+//                                methods that have such a limit (fastest_mode.hpp)
 //
 // The acceleration `a` that a method is given has everything but drag and friction in it; `rate` (1/s) is theirs.
 #pragma once
@@ -95,15 +104,23 @@ inline StableStep step_where(double stiffness, double damping, double four_masse
                                   (damping + std::sqrt(damping * damping + 4.0 * stiffness * four_masses)));
 }
 
+/// The larger size of the roots of z^2 - sum z + product.
+inline double larger_root(double sum, double product) {
+    const double d = 0.25 * sum * sum - product;
+    return d < 0.0 ? std::sqrt(product) : std::fabs(0.5 * sum) + std::sqrt(d);
+}
+
 /// What most methods do for one mass: nothing to start, a velocity that is synchronised as it is stored.
 struct OneKick {
     static constexpr int passes = 1;
     static constexpr double stage_time[] = {0.0};
     static constexpr double weight[] = {1.0};
     static constexpr double coarsest_step = 1.0 / 60.0;  // s
+    static constexpr bool bound_is_safe_only = false;
     static constexpr double automatic = 1.0;
     static constexpr bool starts_with_forces = false;
-    static constexpr bool creates_energy = false, dissipates_energy = false;
+    static constexpr bool creates_energy = false, dissipates_energy = false, solves = false, staggered = false;
+    using Looks = OneKick;
     template <bool damped>
     static constexpr int fields = 2;
     template <bool damped>

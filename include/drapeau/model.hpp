@@ -7,6 +7,7 @@
 #include "drapeau/state.hpp"
 #include "drapeau/terms/list.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -84,6 +85,13 @@ public:
     bool held(int i, int j) const { return at(j).held[i] != 0; }
     double mass(int i, int j) const { return springs.mass * at(j).mass[i]; }  // kg
 
+    bool is_free() const {
+        return std::none_of(row_.begin(), row_.end(), [&](int kind) {
+            const auto& held = kinds_[static_cast<std::size_t>(kind)].held;
+            return std::find(held.begin(), held.end(), 1) != held.end();
+        });
+    }
+
     /// Holds one more mass where it is.
     void hold(int i, int j) {
         kinds_.push_back(at(j));
@@ -122,6 +130,19 @@ public:
             if constexpr (requires { term.potential(moment); }) sum += term.potential(moment);
         });
         return sum;
+    }
+    /// The greatest power (W) at which terms can bring in energy, but for those that store it.
+    double most_power() const {
+        const double drag = damping_on_mass(1.0, true);
+        double sum = 0.0;
+        terms.for_each([&](const auto& term) {
+            if constexpr (requires { term.most_power(drag); })
+                sum += term.most_power(drag);
+            else if constexpr (
+                !requires { term.damping(1.0); } && !requires { term.potential(glm::dvec3(0.0)); })
+                sum = INFINITY;
+        });
+        return sum * static_cast<double>(grid.masses());
     }
     bool is_limited() const {
         bool any = false;

@@ -6,7 +6,7 @@
 // rotating flag alone.
 //
 // These are the operations of the sweep: an operation says what it reads at either end (Row, End), what it makes of a
-// spring (Value) and how many rows away it looks (reach).
+// spring (Value), what that means to its other end (react) and how many rows away it looks (reach).
 #pragma once
 
 #include "drapeau/field.hpp"
@@ -60,6 +60,8 @@ struct SpringForce {
     using End = SpringEnd<V, damped>;
     using Value = Vec3<V>;
     static constexpr int reach = 1;
+    /// The sum of what a mass has so far and what a spring does to it that pulls its other end with `value`.
+    DRAPEAU_INLINE static Value react(const Value& sum, const Value& value) { return sum - value; }
 
     DRAPEAU_INLINE Value pull(const SpringRow<Real>& spring, int i, const End& a, const End& b) {
         using L = Lanes<V>;
@@ -96,6 +98,7 @@ struct SpringForceParts : SpringForce<V, damped> {
     using typename SpringForce<V, damped>::Real;
     using typename SpringForce<V, damped>::End;
     using Value = Parts<V>;
+    DRAPEAU_INLINE static Value react(const Value& sum, const Value& value) { return sum - value; }
 
     DRAPEAU_INLINE Value pull(const SpringRow<Real>& spring, int i, const End& a, const End& b) {
         const auto d = b.x - a.x;

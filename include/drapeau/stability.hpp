@@ -44,7 +44,11 @@ inline double automatic_share(const Model& model) {
 template <class M>
 double automatic_step(const M& method, const Model& model, double lowered = 1.0) {
     const double share = lowered * M::automatic * automatic_share(model);
-    return std::min(share * stable_step(method, model).seconds(), M::coarsest_step);
+    double step = std::min(share * stable_step(method, model).seconds(), lowered * M::coarsest_step);
+    if constexpr (requires(Oscillator o) { M::smooth_step(o); })
+        for (const auto& oscillator : model.bounds())
+            step = std::min(step, lowered * M::smooth_step(oscillator).seconds());
+    return step;
 }
 
 /// Programs advance in batches of simulated time.

@@ -19,6 +19,13 @@ inline namespace DRAPEAU_ISA {
 struct Report {
     Work work;         // in the step that was accounted
     PassReport limit;  // of passes after the move
+    Solves solves{};   // of methods that solve
+
+    void add(const Report& other) {
+        work.add(other.work);
+        limit.add(other.limit);
+        solves.add(other.solves);
+    }
 };
 
 template <class Real>
@@ -84,12 +91,15 @@ public:
             if (team_) team_->meet();
         };
         run([&](int n) {
-            blocks_[n]->advance(clock, first, last, accounted, meet, [&](long long step) {
-                if (!model().is_limited()) return;
-                meet();
-                if (n == 0) after_the_move(clock.at(step + 1), clock.dt, step == accounted, report);
-                meet();
-            });
+            blocks_[n]->advance(
+                clock, first, last, accounted, meet,
+                [&](long long step) {
+                    if (!model().is_limited()) return;
+                    meet();
+                    if (n == 0) after_the_move(clock.at(step + 1), clock.dt, step == accounted, report);
+                    meet();
+                },
+                n == 0 ? &report.solves : nullptr);
         });
         if (accounts) {
             glm::dvec3 drift(0.0);
@@ -114,6 +124,22 @@ public:
     /// The acceleration (m/s2) of every mass at time `now` (s), but for drag and friction.
     void evaluate(double now, FieldBuffer<Real>& a) {
         run([&](int n) { blocks_[n]->look(now, started_dt_, body_.kernels.evaluate, a.view()); });
+    }
+
+    /// What the Hessian times a direction u came to: u.Ku, u.Cu, u.Ru (R: drag and friction), u.Mu and the product's.
+    struct Stiffness {
+        double elastic = 0.0, damping = 0.0, on_mass = 0.0, before = 0.0, after = 0.0;
+    };
+    /// out = M^-1 (k_weight K + c_weight C + rate_weight R) u, of the springs as they are.
+    Stiffness stiffness(double k_weight, double c_weight, double rate_weight, FieldBuffer<Real>& u,
+                        FieldBuffer<Real>& out) {
+        run([&](int n) { blocks_[n]->stiffness(k_weight, c_weight, rate_weight, u.view(), out.view()); });
+        Stiffness sum;
+        for (const auto& row : body_.sums) {
+            sum.elastic += row.elastic, sum.damping += row.damping_work, sum.on_mass += row.external_work;
+            sum.before += row.products[0][0], sum.after += row.products[0][1];
+        }
+        return sum;
     }
 
     /// Everything that the steps to come depend on.

@@ -14,13 +14,14 @@
 // may move it in place, at once.
 #pragma once
 
+#include "drapeau/hessian.hpp"
 #include "drapeau/spring.hpp"
 #include "drapeau/state.hpp"
 
 namespace drapeau {
 inline namespace DRAPEAU_ISA {
 
-/// Components of the largest value that waits (a force in two parts).
+/// Components of the largest value that waits (a force in two parts, a symmetric 3 x 3 block).
 inline constexpr int waiting_components = 6;
 
 /// The row-long buffer of one pass.
@@ -57,9 +58,17 @@ template <class Real, class V>
 DRAPEAU_INLINE void store_waiting(const WaitingRow<Real>& row, int i, const Parts<V>& value) {
     store_waiting(row, i, value.elastic), store_waiting(row, i, value.damping, 3);
 }
+template <class Real, class V>
+DRAPEAU_INLINE void load_waiting(const WaitingRow<Real>& row, int i, Symmetric<V>& value) {
+    load_waiting(row, i, value.diagonal), load_waiting(row, i, value.off, 3);
+}
+template <class Real, class V>
+DRAPEAU_INLINE void store_waiting(const WaitingRow<Real>& row, int i, const Symmetric<V>& value) {
+    store_waiting(row, i, value.diagonal), store_waiting(row, i, value.off, 3);
+}
 
 /// One pass of the sweep. Give it the rows in order: begin(), then row(...) for each.
-/// Operation: what is made of a spring (spring.hpp); diagonals: whether diagonal springs exist.
+/// Operation: what is made of a spring (spring.hpp, hessian.hpp); diagonals: whether diagonal springs exist.
 template <class V, class Operation, bool diagonals>
 class Sweep {
 public:
@@ -97,21 +106,21 @@ private:
             Value own;
             load_waiting(waiting_, i, own);
             own = own + fly;
-            Value right = Value{} - fly;
+            Value right = Operation::react(Value{}, fly);
 
             if constexpr (has_next) {
                 const End below_end = End::load(next, i);
                 const Value hoist = operation.pull(springs.hoist, i, a, below_end);
                 own = own + hoist;
-                Value below = Value{} - hoist;
+                Value below = Operation::react(Value{}, hoist);
                 if constexpr (diagonals) {
                     const Value rising = operation.pull(springs.diagonal, i, right_end, below_end);
                     right = right + rising;
-                    below = below - rising;
+                    below = Operation::react(below, rising);
                     const End corner_end = End::load(next, i + 1);
                     const Value falling = operation.pull(springs.diagonal, i, a, corner_end);
                     own = own + falling;
-                    below = below - shifted(falling_before, falling);
+                    below = Operation::react(below, shifted(falling_before, falling));
                     falling_before = falling;
                 }
                 store_waiting(waiting_, i, below);

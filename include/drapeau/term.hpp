@@ -14,6 +14,9 @@
 //                               is the same everywhere and always
 //   damping(share)              N s/m that brake a mass's own velocity; share: of a mass inside, 1, or on a border that
 //                               is lighter. It lowers the largest stable step and its work is counted.
+//   most_power(d)               the greatest power (W) at which it can bring energy into a mass with air drag d (N
+//   s/m);
+//                               a term that pushes, stores nothing and does not say may bring in any
 //   is_air                      the damping is against the air, so wind is felt through it
 #pragma once
 

@@ -38,6 +38,10 @@ Plan plan_for(const Scene& scene, double seconds, const std::string& given_secon
                          decimal((below + 1.0) * *dt));
     }
     if (const auto batches = whole_count(seconds, batch_seconds)) return {*batches, 0, {}};
+    if (scene.time.tolerance)
+        throw InputError("--seconds = " + one_line(given_seconds, 60) +
+                         ": with time.tolerance a whole number of sixtieths of a second is allowed, such as " +
+                         decimal(std::ceil(seconds / batch_seconds) * batch_seconds));
     // Equal steps, none longer than the automatic one.
     Scene flat = scene;  // how it starts takes time and does not matter for the step
     flat.flag.start = Start::flat;

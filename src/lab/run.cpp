@@ -9,6 +9,7 @@
 #include "results.hpp"
 #include "run/divergence.hpp"
 #include "run/simulation.hpp"
+#include "run/step_choice.hpp"
 #include "scene/file.hpp"
 #include "scene/settings.hpp"
 
@@ -58,15 +59,19 @@ struct Cost {
     double wall = 0.0;       // s
 };
 
-std::optional<Divergence> carry_out(const Plan& plan, Simulation& simulation, Cost& cost, bool force) {
+/// `last` becomes where the last tenth of a second begins, or a shorter run.
+std::optional<Divergence> carry_out(const Plan& plan, Simulation& simulation, Cost& cost,
+                                    std::optional<ErrorWindow>& last, bool force) {
     const auto wall_start = std::chrono::steady_clock::now();
     const auto wall = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
     };
     const double processor_start = processor_seconds();
+    const auto window_of = [](double step) { return std::max(1LL, std::llround(ErrorWindow::usual / step)); };
     Progress progress;
     std::optional<Divergence> divergence;
     for (long long batch = 0; batch < plan.batches && !divergence; ++batch) {
+        if (batch == std::max(0LL, plan.batches - window_of(batch_seconds))) last = simulation.error_window();
         divergence = simulation.advance_batch();
         const double share = static_cast<double>(batch + 1) / static_cast<double>(plan.batches);
         progress.show(share);
@@ -76,9 +81,13 @@ std::optional<Divergence> carry_out(const Plan& plan, Simulation& simulation, Co
     const double masses = static_cast<double>(simulation.model().grid.masses());
     const auto at_once =
         std::max(1LL, std::llround(std::min(std::max(1e7 / masses, 1.0), batch_seconds / simulation.dt())));
-    for (long long done = 0; done < plan.steps && !divergence; done += at_once) {
-        divergence = simulation.advance_steps(std::min(at_once, plan.steps - done));
-        const double share = std::min(1.0, static_cast<double>(done + at_once) / static_cast<double>(plan.steps));
+    const long long window_begins = std::max(0LL, plan.steps - window_of(simulation.dt()));
+    for (long long done = 0; done < plan.steps && !divergence;) {
+        if (done == window_begins) last = simulation.error_window();
+        const long long steps = std::min(at_once, (done < window_begins ? window_begins : plan.steps) - done);
+        divergence = simulation.advance_steps(steps);
+        done += steps;
+        const double share = static_cast<double>(done) / static_cast<double>(plan.steps);
         progress.show(share);
         if (!force) check_pace(share, wall());
     }
@@ -144,7 +153,8 @@ std::string modelled(const Model& model) {
 }
 
 std::vector<Result> results_of(const Simulation& simulation, int threads, const Cost& cost,
-                               const std::optional<Divergence>& divergence) {
+                               const std::optional<Divergence>& divergence, const ErrorEstimate& error,
+                               const std::string& reason) {
     const Scene& scene = simulation.scene();
     const FlagSettings& flag = scene.flag;
     const Readings readings = simulation.readings();
@@ -179,9 +189,41 @@ std::vector<Result> results_of(const Simulation& simulation, int threads, const 
     number("threads", threads, "threads", std::to_string(threads));
     measure("time_s", time, "time simulated", "s");
     number("steps", simulation.steps(), "steps", std::to_string(simulation.steps()));
-    number("dt_s", simulation.dt(), "step", with_unit(simulation.dt(), "s") + " (" + of_limit + ")");
+    number("dt_s", simulation.dt(), "step", with_unit(simulation.dt(), "s") + " (" + of_limit + "; " + reason + ")");
+    text("dt_reason", reason, "");
     number("stability_limit_s", limit.is_finite() ? limit.seconds() : NAN, "", "");
+    const StableStep live = simulation.live_limit().value_or(StableStep::none());
+    if (live.is_finite())
+        number("live_limit_s", live.seconds(), "limit at the end",
+               with_unit(live.seconds(), "s") + " (the step is " +
+                   rounded(100.0 * simulation.dt() / live.seconds(), 3) + " % of it)");
+    else
+        number("live_limit_s", NAN, "", "");
+    if (!simulation.method_remark().empty()) text("method_remark", simulation.method_remark(), "by nature");
+    if (const Solves& solves = simulation.solves(); solves.steps > 0) {
+        const auto steps = static_cast<double>(solves.steps);
+        number(
+            "linear_solves_per_step", static_cast<double>(solves.linear_solves) / steps, "solving",
+            fmt::format("{} corrections a step, {} iterations each; {} of {} steps left unsolved",
+                        rounded(static_cast<double>(solves.linear_solves) / steps, 3),
+                        rounded(static_cast<double>(solves.iterations) / static_cast<double>(solves.linear_solves), 3),
+                        solves.unsolved, solves.steps));
+        number("iterations_per_step", static_cast<double>(solves.iterations) / steps, "", "");
+        number("unsolved_steps", solves.unsolved, "", "");
+        measure("worst_residual_m_per_s", solves.residual, "worst residual", "m/s");
+    }
     measure("cpu_ms_per_simulated_s", milliseconds, "CPU per simulated second", "ms");
+    results.push_back({"error_m_per_s", error.rate, "error of the method",
+                       error.resolved() ? with_unit(1e3 * error.rate, "mm") + " per simulated second, over the last " +
+                                              with_unit(error.seconds, "s")
+                                        : "not resolvable: " + error.explanation()});
+    text("error_reason", error.explanation(), "");
+    const bool is_float = simulation.precision() == Precision::single_precision;
+    const auto best = error.best_float_step();
+    number("rounding_error_m_per_s", is_float && error.by_rounding > 0.0 ? error.by_rounding : NAN,
+           is_float ? "error of float" : "", with_unit(1e3 * error.by_rounding, "mm") + " per simulated second");
+    number("best_float_step_s", best.value_or(NAN), is_float ? "best step in float" : "",
+           best ? with_unit(*best, "s") + (limit.allows(*best) ? "" : " (above the stability limit)") : "");
     number("real_time_factor", real_time, "real-time factor", rounded(real_time, 3));
     measure("kinetic_energy_J", readings.kinetic_energy, "kinetic energy", "J");
     measure("spring_energy_J", readings.spring_energy, "spring energy", "J");
@@ -244,11 +286,20 @@ int run(const RunOptions& options) {
     simulation.use_threads(options.threads);
 
     Cost cost;
-    const auto divergence = carry_out(plan, simulation, cost, options.force);
-    const auto results = results_of(simulation, options.threads, cost, divergence);
+    std::optional<ErrorWindow> last;
+    const auto divergence = carry_out(plan, simulation, cost, last, options.force);
+    const auto error = divergence ? ErrorEstimate{.verdict = ErrorEstimate::Verdict::not_finite}
+                       : last     ? simulation.error_since(*last)
+                                  : ErrorEstimate{};
+    // Equal steps that fill a time are as long as the automatic ones let them be.
+    const std::string reason = scene.time.dt || !plan.dt
+                                   ? simulation.step_reason()
+                                   : "limit: " + limit_of_step(scene.time.method, simulation.model());
+    const auto results = results_of(simulation, options.threads, cost, divergence, error, reason);
     write_results(options, results);
     const std::string remark = plan.remark.empty() ? simulation.precision_remark() : plan.remark;
     if (!remark.empty()) complain("drapeau-lab", remark);
+    if (!divergence && !simulation.limit_remark().empty()) complain("drapeau-lab", simulation.limit_remark());
     if (divergence) {
         complain("drapeau-lab", divergence->message);
         return exit_diverged;

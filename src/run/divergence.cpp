@@ -1,6 +1,7 @@
 #include "run/divergence.hpp"
 
 #include "io/text.hpp"
+#include "run/method_remark.hpp"
 #include "scene/file.hpp"
 
 #include <fmt/format.h>
@@ -13,8 +14,8 @@
 namespace drapeau {
 namespace {
 
-/// Runs batches from where the engine stands to time `end`; false once the watch says that it is broken. `now` is then
-/// the end of the batch that broke, `before` its beginning, kept in `place` of the engine.
+/// Runs batches from where the engine stands to the step `last`; false once the watch says that it is broken. `now` is
+/// then the end of the batch that broke, `before` its beginning, kept in `place` of the engine.
 struct Replay {
     Engine& engine;
     Watch& watch;
@@ -23,18 +24,18 @@ struct Replay {
 
     bool abandoned() const { return abandon && abandon->load(std::memory_order_relaxed); }
 
-    bool holds(Progress& now, Progress& before, double end) const {
-        while (now.time() < end) {
+    bool holds(Progress& now, Progress& before, long long last) const {
+        while (now.steps < last) {
             before = now;
             engine.save(place);
             watch.begin_batch(engine, now);
             Report report;
-            const long long to = now.next_batch();
+            const long long batch_end = now.next_batch(), to = std::min(batch_end, last);
             if (engine.advance(now.clock, now.steps, to, watch.accounted_step(), report, abandon) < to) return true;
             watch.count(report);
             now.steps = to;
-            watch.end_batch(engine, now);
-            if (watch.is_broken() || !std::isfinite(engine.kinetic())) return false;
+            if (to == batch_end) watch.end_batch(engine, now);
+            if (watch.is_broken() || !engine.is_finite(now.time())) return false;
         }
         return true;
     }
@@ -68,12 +69,22 @@ std::string cause_and_remedy(Method method, const Divergence& d) {
             return fmt::format(
                 "the step {} is above the stability limit {} of {} for these springs and this damping; {}", step, limit,
                 name, remedy);
+        case Divergence::Cause::too_soft:
+            return fmt::format(
+                "at steps of {} {} makes these springs so much too soft that they hold more energy than there is; {}",
+                step, name, remedy);
         case Divergence::Cause::energy_created:
+            if (d.limit.is_unlimited())
+                return fmt::format("{} creates energy at steps of {} in motion as violent as this; {}", name, step,
+                                   remedy);
             return fmt::format(
                 "the step {} is within the stability limit {} of {}, but the motion is so violent that the "
                 "method creates energy; {}",
                 step, limit, name, remedy);
         case Divergence::Cause::energy_lost:
+            if (d.limit.is_unlimited())
+                return fmt::format("the step {} is too large for {} to keep the energy of this motion; {}", step, name,
+                                   remedy);
             return fmt::format(
                 "the step {} is within the stability limit {} of {}, but too large for it to keep the energy "
                 "of this motion; {}",
@@ -102,12 +113,14 @@ Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const
 
     // The batch that broke, then the step within it, by halving.
     Progress now = good, before = good;
-    const bool found = !replay.holds(now, before, broken_at + 2.0 * batch_seconds);
-    const bool finite = std::isfinite(engine.kinetic());
-    if (finite && d.cause == Divergence::Cause::energy_created) d.cause = cause;
-    // Counted by samples the replay may hold, or hold longer.
     const long long end = good.steps + std::llround((broken_at - good.time()) / good.clock.dt);
-    long long bad = found ? std::min(now.steps, end) : end;
+    const bool found = !replay.holds(now, before, end);
+    const bool finite = engine.is_finite(now.time());
+    if (finite && d.cause == Divergence::Cause::energy_created) d.cause = cause;
+    constexpr double much_too_soft = 1.5;
+    if (d.cause == Divergence::Cause::energy_created && softness(method, engine.model(), d.dt) > much_too_soft)
+        d.cause = Divergence::Cause::too_soft;
+    long long bad = found ? now.steps : end;  // counted by samples the replay may hold
     if (found && !finite && before.steps < bad) {
         long long fine = before.steps;
         while (bad - fine > 1 && !replay.abandoned()) {
@@ -115,7 +128,7 @@ Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const
             Report ignored;
             engine.restore(batch_place);
             engine.advance(now.clock, fine, middle, no_step, ignored, abandon);
-            if (std::isfinite(engine.kinetic())) {
+            if (engine.is_finite(now.clock.at(middle))) {
                 fine = middle;
                 engine.save(batch_place);
             } else {
@@ -136,19 +149,19 @@ Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const
     if (d.cause != Divergence::Cause::beyond_precision && !d.limit.is_none()) {
         const double usual =
             with_method(method, [&](const auto& chosen) { return automatic_step(chosen, engine.model()); });
-        double mass_steps_left = 3e7;  // some tenths of a second
+        double work_left = 3e7;  // some tenths of a second
         const double span = broken_at + 2.0 * batch_seconds - good.time();
         double dt = whole_steps_per_batch(std::min(usual, 0.7 * d.dt));
         for (int tries = 0; tries < 5 && !replay.abandoned(); ++tries, dt = whole_steps_per_batch(0.6 * dt)) {
-            mass_steps_left -= span / dt * static_cast<double>(engine.model().grid.masses() + 200);
-            if (mass_steps_left < 0.0) break;
+            work_left -= span / dt * engine.step_cost();
+            if (work_left < 0.0) break;
             engine.restore(good_place);
             engine.synchronise(good.time());
             watch = watch_then;
             Progress tried = good, ignored;
             tried.clock = {good.time(), good.steps, dt};
             watch.open(engine, tried, batch_seconds / dt, Watch::Nature::of(method));
-            if (replay.holds(tried, ignored, broken_at + 2.0 * batch_seconds) && !replay.abandoned()) {
+            if (replay.holds(tried, ignored, good.steps + std::llround(std::ceil(span / dt))) && !replay.abandoned()) {
                 d.safe_dt = dt;
                 break;
             }

@@ -13,19 +13,19 @@ namespace {
 template <class Real>
 class EngineOf final : public Engine {
 public:
-    EngineOf(const Model& model, Method method)
-        : stepper_(model, find_kernels<Real>(method, model.has_diagonals(), model.is_damped())) {}
+    EngineOf(const Model& model, Method method, bool half_kick_start)
+        : step_cost_(drapeau::step_cost(model, method)),
+          stepper_(model, kernels_for(model, method, half_kick_start)),
+          solves_(with_method(method, [](const auto& m) { return std::decay_t<decltype(m)>::solves; })) {}
 
     long long advance(const Clock& clock, long long first, long long last, long long accounted, Report& report,
                       const std::atomic<bool>* abandon) override {
-        constexpr long long mass_steps_a_turn = 10'000'000;  // some hundredths of a second
-        const auto steps_a_turn =                            // a limit may take as long for one step
-            model().is_limited() ? 1 : std::max(1LL, mass_steps_a_turn / model().grid.masses());
+        constexpr double work_a_turn = 1e7;  // some hundredths of a second
+        const auto steps_a_turn =            // a limit may take as long for one step, or a solve
+            model().is_limited() || solves_ ? 1 : std::max(1LL, std::llround(work_a_turn / step_cost_));
         for (long long step = first; step < last; step += steps_a_turn) {
             if (abandon && abandon->load(std::memory_order_relaxed)) return step;
-            const Report turn = stepper_.advance(clock, step, std::min(last, step + steps_a_turn), accounted);
-            report.work.add(turn.work);
-            report.limit.add(turn.limit);
+            report.add(stepper_.advance(clock, step, std::min(last, step + steps_a_turn), accounted));
         }
         return last;
     }
@@ -42,6 +42,7 @@ public:
     void synchronise(double now) override { stepper_.synchronise(now); }
 
     const Model& model() const override { return stepper_.model(); }
+    double step_cost() const override { return step_cost_; }
     Measurement measure(double now) override { return stepper_.measure(now); }
     double kinetic() override { return stepper_.kinetic(); }
     double epsilon() const override { return std::numeric_limits<Real>::epsilon(); }
@@ -69,6 +70,10 @@ public:
         return hash;
     }
 
+    Oscillator fastest_mode(double damping_weight, double on_mass_weight, double dt, int looks) override {
+        return fastest_.look(stepper_, damping_weight, on_mass_weight, dt, looks);
+    }
+
     void save(int place) override {
         if (place >= static_cast<int>(saved_.size())) saved_.resize(static_cast<std::size_t>(place) + 1);
         stepper_.save(saved_[static_cast<std::size_t>(place)]);
@@ -76,17 +81,38 @@ public:
     void restore(int place) override { stepper_.restore(saved_[static_cast<std::size_t>(place)]); }
 
 private:
+    static Kernels<Real> kernels_for(const Model& model, Method method, bool half_kick_start) {
+        Kernels<Real> kernels = find_kernels<Real>(method, model.has_diagonals(), model.is_damped());
+        if (half_kick_start && method == method_id<SemiImplicitEuler>) {
+            kernels.starts_with_forces = HalfKickStart::starts_with_forces;
+            kernels.start = &HalfKickStart::start<false, Real>;
+            kernels.synchronised = &HalfKickStart::synchronised<false, Real>;
+        }
+        return kernels;
+    }
+
     static constexpr long long min_masses_for_threads = 4096;
 
+    double step_cost_;
     Stepper<Real> stepper_;
+    bool solves_;
+    FastestMode<Real> fastest_;
     std::vector<typename Stepper<Real>::Checkpoint> saved_;
 };
 
 }  // namespace
 
-std::unique_ptr<Engine> make_engine(const Model& model, Method method, Precision precision) {
-    if (precision == Precision::double_precision) return std::make_unique<EngineOf<double>>(model, method);
-    return std::make_unique<EngineOf<float>>(model, method);
+double step_cost(const Model& model, Method method) {
+    // A row takes as long as some masses, a step as long as a row or two.
+    constexpr double a_row = 30.0, a_step = 60.0;
+    const int passes = with_method(method, [](const auto& m) { return std::decay_t<decltype(m)>::passes; });
+    return passes * (model.grid.rows * (model.grid.columns + a_row) + a_step);
+}
+
+std::unique_ptr<Engine> make_engine(const Model& model, Method method, Precision precision, bool half_kick_start) {
+    if (precision == Precision::double_precision)
+        return std::make_unique<EngineOf<double>>(model, method, half_kick_start);
+    return std::make_unique<EngineOf<float>>(model, method, half_kick_start);
 }
 
 }  // namespace drapeau

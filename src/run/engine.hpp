@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drapeau/energy.hpp"
+#include "drapeau/fastest_mode.hpp"
 #include "drapeau/stepper.hpp"
 #include "scene/scene.hpp"
 
@@ -28,14 +29,22 @@ public:
     virtual void synchronise(double now) = 0;
 
     virtual const Model& model() const = 0;
+    virtual double step_cost() const = 0;
     virtual Measurement measure(double now) = 0;
+    /// Whether every mass and every reading is finite.
+    bool is_finite(double now) {
+        const Measurement here = measure(now);
+        return std::isfinite(here.total() + here.kinetic_now + here.rms_force);
+    }
     virtual double kinetic() = 0;           // J, of the velocities stored
     virtual double epsilon() const = 0;     // of the precision
     virtual glm::dvec3 corner() const = 0;  // m, where mass (0, 0) is
+    /// The fastest mode of the springs as they are, after so many more looks at it (fastest_mode.hpp).
+    virtual Oscillator fastest_mode(double damping_weight, double on_mass_weight, double dt, int looks) = 0;
     /// How far from the origin (m) masses are at most, as long as no spring is much longer than at rest.
-    double reach() const {
+    double reach() const { return reach(corner()); }
+    double reach(const glm::dvec3& far) const {
         const Grid& grid = model().grid;
-        const auto far = corner();
         return std::hypot(grid.columns * grid.pitch_x, grid.rows * grid.pitch_y) +
                std::sqrt(far.x * far.x + far.y * far.y + far.z * far.z);
     }
@@ -52,7 +61,12 @@ public:
     virtual void restore(int place) = 0;
 };
 
-/// An engine with all masses at rest at their places in the grid.
-std::unique_ptr<Engine> make_engine(const Model& model, Method method, Precision precision);
+/// What a step costs, in steps of one mass of a large cloth (some nanoseconds).
+double step_cost(const Model& model, Method method);
+
+/// An engine with all masses at rest at their places in the grid. `half_kick_start`: semi-implicit Euler begins half a
+/// kick back; others take no notice.
+std::unique_ptr<Engine> make_engine(const Model& model, Method method, Precision precision,
+                                    bool half_kick_start = false);
 
 }  // namespace drapeau

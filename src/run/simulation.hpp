@@ -2,6 +2,7 @@
 // Time advances in batches of 1/60 s; the state is single-owner (one thread at a time), never shared.
 #pragma once
 
+#include "run/error_watch.hpp"
 #include "scene/scene.hpp"
 
 #include "drapeau/energy.hpp"
@@ -38,7 +39,7 @@ struct Readings {
 
 /// A run that diverged. The run then stands on the last state that was good.
 struct Divergence {
-    enum class Cause { past_the_limit, energy_created, energy_lost, float_rounding, beyond_precision };
+    enum class Cause { past_the_limit, energy_created, too_soft, energy_lost, float_rounding, beyond_precision };
 
     long long step = 0;       // the step (since the run began) that broke it
     double time = 0.0;        // s
@@ -63,6 +64,10 @@ public:
     const Scene& scene() const;
     const Model& model() const;
 
+    /// Goes on from these masses instead, wherever they are; held ones stay where they are put. Throws InputError where
+    /// float leaves nothing of a given step there.
+    void put(const State<double>& state);
+
     /// Takes new settings over between batches; position, velocity and time go on. Strengths are refilled in place; a
     /// new grid or size is interpolated in the flag's own coordinates. Throws InputError and changes nothing if the
     /// scene is impossible. Where the flag must start anew it settles as above.
@@ -76,7 +81,8 @@ public:
     /// Advances `count` steps of exactly dt() (the laboratory's way, and the window's single step).
     std::optional<Divergence> advance_steps(long long count, const std::atomic<bool>* abandon = nullptr);
 
-    /// Looks at the energy once more, at the end of a run: whether it is good up to now.
+    /// Looks at the energy once more, at the end of a run: whether it is good up to now. An automatic step that is not
+    /// is answered as by advance_batch.
     std::optional<Divergence> check();
 
     /// The laboratory uses a numeric dt as given instead of rounding it to a whole number of steps a batch.
@@ -91,8 +97,28 @@ public:
     double dt() const;  // s, the step in use
     long long steps_per_batch() const;
     StableStep stability_limit() const;  // the closed bound for this scene and method
+    /// The limit here and now, within a few per cent: above it motion is certain to break (see fastest_mode.hpp). None
+    /// of methods whose limit does not follow from one mode, or that are stable at any step.
+    std::optional<StableStep> live_limit() const;
+    /// That the step is past it, and how fast noise grows; empty where it is not.
+    std::string limit_remark() const;
+    /// What the method does to the motion by nature at this step (see method_remark.hpp); empty where it does nothing.
+    std::string method_remark() const;
+    const Solves& solves() const;  // what solving took since the method began, of methods that solve
     /// Why an automatic step is smaller than its usual share of the bound; empty where it is not.
     std::string lowered_because() const;
+
+    /// What the step in use was chosen by: "limit: stiffness of the springs", "limit: 0.8 of 1 mm/s asked".
+    std::string step_reason() const;
+
+    /// Whether errors are measured as the run goes on. With a tolerance they always are, and waited for.
+    void watch_error(ErrorWatch::Mode mode);
+    /// The newest of them, for the step in use; empty after a change until the next is there.
+    const std::optional<ErrorEstimate>& error() const;
+    /// This moment, for the next.
+    ErrorWindow error_window() const;
+    /// The error of steps of dt() since then.
+    ErrorEstimate error_since(const ErrorWindow& begin) const;
 
     Precision precision() const;  // in use: double where float could not honour an automatic step
     /// Why that is not the scene's, or how little of the motion float honours at a given step; empty where all is well.

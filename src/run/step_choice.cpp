@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 namespace drapeau {
 
@@ -25,6 +26,27 @@ double chosen_step(const Scene& scene, const Model& model, bool exact, double lo
                     name_of(scene.time.method), quantity(wanted, "s"), damping_needed(model, wanted)));
 }
 
+std::string limit_of_step(Method method, const Model& model) {
+    return with_method(method, [&]<class M>(const M& chosen) {
+        const double stable = M::automatic * automatic_share(model) * stable_step(chosen, model).seconds();
+        if (stable >= M::coarsest_step)
+            return M::coarsest_step == batch_seconds ? std::string("1/60 s")
+                                                     : std::string("coarsest step of ") + M::name;
+        // What would still limit the step most, were there nothing else.
+        std::pair<double, std::string> least{INFINITY, "1/60 s"};
+        const auto alone = [&](const Oscillator& o, const char* name) {
+            const double seconds = M::stable_step(o).seconds();
+            if (seconds < least.first) least = {seconds, name};
+        };
+        for (const auto& o : model.bounds()) {
+            alone({o.mass, o.stiffness, 0.0, 0.0}, "stiffness of the springs");
+            alone({o.mass, 0.0, o.damping, 0.0}, "damping of the springs");
+            alone({o.mass, 0.0, 0.0, o.on_mass}, "drag and friction");
+        }
+        return least.second;
+    });
+}
+
 Precision chosen_precision(const Scene& scene, const Model& model, double dt) {
     if (scene.time.precision == Precision::double_precision) return Precision::double_precision;
     const Grid& grid = model.grid;
@@ -32,10 +54,15 @@ Precision chosen_precision(const Scene& scene, const Model& model, double dt) {
     const double honest = smallest_float_step(size, typical_speed(model));
     if (dt >= honest) return Precision::single_precision;
     if (!scene.time.dt) return Precision::double_precision;
-    if (dt >= hopeless_float_step * honest) return Precision::single_precision;
+    check_float_step(dt, honest, *scene.time.dt);
+    return Precision::single_precision;
+}
+
+void check_float_step(double dt, double honest, double given) {
     const double smallest = hopeless_float_step * honest;
+    if (dt >= smallest) return;
     const bool has_larger = smallest < batch_seconds;
-    throw InputError("time.dt = " + shortest(*scene.time.dt) + ": in float nothing is left of so slow a motion" +
+    throw InputError("time.dt = " + shortest(given) + ": in float nothing is left of so slow a motion" +
                      (has_larger ? " at steps below " + quantity(smallest, "s") : "") +
                      "; give time.precision = \"double\"" + (has_larger ? " or larger steps" : ""));
 }

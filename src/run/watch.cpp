@@ -48,7 +48,7 @@ void Watch::look(Engine& engine, const Progress& now) {
     counted_ = {};
     work_.clear(), external_.clear();
     gross_ = 0.0;
-    taken_in_ = now.time();
+    taken_in_ = looked_at_ = now.time();
     written_step_ = now.steps;
 }
 
@@ -67,6 +67,15 @@ double Watch::rounding_energy(const Engine& engine, long long steps) const {
            std::pow(2.0 * eps * engine.reach(), 2);
 }
 
+/// What external forces brought in since `from` (s), as far as they can: drag past its limit throws masses to and fro
+/// and would count what it creates as brought in. In its first steps a good run may gain more, by up to four of them.
+Estimate Watch::possible(Estimate came_in, const Engine& engine, double from, const Progress& to) const {
+    const double most = engine.model().most_power() * (to.time() - from + 4.0 * to.clock.dt);
+    came_in.value = std::min(came_in.value, most);
+    came_in.variance = std::min(came_in.variance, std::pow((most - came_in.value) / 3.0, 2));
+    return came_in;
+}
+
 void Watch::take_in(double now, double dt) {
     const double times = (now - taken_in_) / dt;  // steps that the accounted one stands for
     work_.push_back(times * counted_.but_stored());
@@ -81,6 +90,7 @@ void Watch::write(Engine& engine, const Progress& now) {
     Estimate work = sum_of_samples(work_), came_in = sum_of_samples(external_);
     came_in.value = 0.0;
     for (const double in : external_) came_in.value += std::max(0.0, in);
+    came_in = possible(came_in, engine, looked_at_, now);
     const double rounding = rounding_energy(engine, now.steps - written_step_);
     look(engine, now);
     Estimate made{energy_ + potential_ - before - work.value, work.variance};
@@ -122,6 +132,10 @@ double Watch::counted_so_far(const Progress& now) const {
     return steps * steps * counted_.gross();
 }
 
+void Watch::look_for_infinities(Engine& engine, const Progress& now) {
+    broken_ = broken_ || !engine.is_finite(now.time());
+}
+
 void Watch::look_now(Engine& engine, const Progress& now) {
     if (now.steps == written_step_) return;
     Watch then = *this;
@@ -138,16 +152,16 @@ const Watch::Saved* Watch::newest() const {
 }
 
 bool Watch::count_again(Engine& engine, const Progress& now, const std::atomic<bool>* abandon) {
-    constexpr double longest = 1e8;  // mass-steps, about a second
+    constexpr double longest = 1e8;  // about a second
     const Saved* from = newest();
     if (!from || from->progress.clock.dt != now.clock.dt || from->progress.clock.first != now.clock.first) return false;
     const long long steps = now.steps - from->progress.steps;
-    if (static_cast<double>(steps) * static_cast<double>(engine.model().grid.masses()) > longest) return false;
+    if (static_cast<double>(steps) * engine.step_cost() > longest) return false;
     engine.save(end_place);
     engine.restore(static_cast<int>(from - saved_.data()));
     Progress again = from->progress;
     const Measurement before = engine.measure(again.time());
-    double work = 0.0, came_in = 0.0;
+    double work = 0.0, came_in = 0.0, stored = 0.0;
     while (again.steps < now.steps) {
         double external = 0.0;  // of a batch
         for (const long long end = std::min(again.next_batch(), now.steps); again.steps < end; ++again.steps) {
@@ -155,6 +169,7 @@ bool Watch::count_again(Engine& engine, const Progress& now, const std::atomic<b
             engine.advance(again.clock, again.steps, again.steps + 1, again.steps, report, nullptr);
             work += report.work.all();
             external += report.work.external;
+            stored += report.work.stored;
         }
         came_in += std::max(0.0, external);
         if (!abandon || !abandon->load(std::memory_order_relaxed)) continue;
@@ -165,10 +180,13 @@ bool Watch::count_again(Engine& engine, const Progress& now, const std::atomic<b
     const double rounding = rounding_energy(engine, steps);
     engine.restore(end_place);
     look(engine, now);
+    // Where steps are too short to move a mass by a unit of its place, what it falls is in its velocity alone.
+    const double fallen_to = std::min(potential_, engine.model().potential(before.moment) + stored);
     Estimate made{after.balance() - before.balance() - work, 0.0};
     if (made.value < 0.0 && !dissipates_) made = {};
     ledger_ = from->ledger;
-    ledger_.add(now.time(), energy_, potential_, {came_in, 0.0}, made, rounding);
+    ledger_.add(now.time(), energy_, fallen_to, possible({came_in, 0.0}, engine, from->progress.time(), now), made,
+                rounding);
     // Past the limit v-.v+ may be as far below zero as springs hold more than there could be.
     const double kinetic = engine.kinetic();
     broken_ = !std::isfinite(kinetic) || kinetic > far_beyond * ledger_.scale();

@@ -62,6 +62,8 @@ public:
     /// Counts again, every step of it, what happened since the newest state kept: what was known from samples until now
     /// is then known. False, and nothing is changed, where that would take seconds or `abandon` is set meanwhile.
     bool count_again(Engine& engine, const Progress& now, const std::atomic<bool>* abandon);
+    /// Looks whether every mass and every reading is finite.
+    void look_for_infinities(Engine& engine, const Progress& now);
     /// Looks at the energy at any time, by samples.
     void look_now(Engine& engine, const Progress& now);
 
@@ -94,6 +96,7 @@ private:
     void look(Engine& engine, const Progress& now);
     void write(Engine& engine, const Progress& now);
     double rounding_energy(const Engine& engine, long long steps) const;
+    Estimate possible(Estimate came_in, const Engine& engine, double from, const Progress& to) const;
 
     Ledger ledger_;
     bool creates_ = false, dissipates_ = false, broken_ = false;
@@ -105,6 +108,7 @@ private:
     std::vector<double> external_, work_;    // J, estimates for each group since the ledger was last written
     double gross_ = 0.0;                     // J, of all work whatever its sign, since then
     long long written_step_ = 0;             // when that was
+    double looked_at_ = 0.0;                 // s, likewise
     double energy_ = 0.0, potential_ = 0.0;  // J, then
     double last_unrest_ = 0.0;               // s
     std::array<Saved, places> saved_;

@@ -49,12 +49,14 @@ std::string SceneFault::text() const {
 
 double memory_of(double masses, Precision precision) {
     // What a method keeps at most, the states that a diverged run may return to and is explained from, the pictures'
-    // snapshots and a state handed out.
+    // snapshots and a state handed out; and to measure the error (error_estimate.hpp) as much as a method keeps, in
+    // double, a state to begin from, three ends and a state handed out.
     constexpr double numbers_kept = 3.0 * max_fields + 4 * 6;
     constexpr double snapshots = 3 * 3 * sizeof(float);
     constexpr double handed_out = 6 * sizeof(double);
     const double number = precision == Precision::double_precision ? sizeof(double) : sizeof(float);
-    return masses * (numbers_kept * number + snapshots + handed_out);
+    constexpr double error = (max_fields + 7) * 3 * sizeof(double);
+    return masses * (numbers_kept * number + snapshots + handed_out + error);
 }
 
 std::optional<SceneFault> find_fault(const Scene& scene) {
@@ -77,6 +79,10 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
     if (flag.columns == 1 && flag.rows == 1) {
         return SceneFault{"flag", "columns", "1",
                           "with one row at least two columns are needed: one mass has no spring"};
+    }
+    if (scene.time.tolerance && scene.time.dt) {
+        return SceneFault{"time", "tolerance", settings::value_text(*scene.time.tolerance),
+                          "goes with time.dt = \"auto\" only, and the step is given"};
     }
     if (scene.wind() && !scene.springs.drag) {
         return SceneFault{"wind", "", "", "nothing would feel it; give springs.drag too, or leave the wind out"};

@@ -146,10 +146,6 @@ void refuse_unknown_keys(const toml::table& node, std::string_view table, std::s
         const std::string_view name = key.str();
         if (is_one_of(known, name)) continue;
         const std::string full = one_line(full_name(table, name), 60);
-        if (is_one_of(later_keys, full)) {
-            if (value.is_boolean() && !value.as_boolean()->get()) continue;  // asks for nothing
-            fail(origin, value, full + " = " + one_line(echo(value), 60) + ": not available in this version");
-        }
         if (value.is_table()) fail(origin, value, "[" + full + "]: unknown table" + unknown_text(name, known));
         fail(origin, value, full + " = " + one_line(echo(value), 60) + ": unknown key" + unknown_text(name, known));
     }
@@ -164,11 +160,7 @@ void read_keys(const toml::table& node, const std::string& table, Settings& sett
         if (!value && field.required) fail(origin, node, name + " is missing: " + allowed_text(field));
         if (!value || take_field(*value, settings, field)) return;
 
-        const auto word = value->template value<std::string_view>().value_or("");
-        const bool later = name == "time.method" && is_one_of(later_methods, word);
-        fail(origin, *value,
-             name + " = " + one_line(echo(*value), 60) + ": " + (later ? "not available in this version; " : "") +
-                 allowed_text(field));
+        fail(origin, *value, name + " = " + one_line(echo(*value), 60) + ": " + allowed_text(field));
     });
 }
 

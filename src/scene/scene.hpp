@@ -46,6 +46,9 @@ struct TimeSettings {
     Method method = method_id<SemiImplicitEuler>;
     std::optional<double> dt;  // s; absent: "auto", the largest step the closed stability bound allows
     Precision precision = Precision::single_precision;
+    bool half_kick_start = false;  // of semi-implicit Euler
+    // m per simulated second, the error that an automatic step may make; absent: any
+    std::optional<double> tolerance{};
 
     bool operator==(const TimeSettings&) const = default;
 };

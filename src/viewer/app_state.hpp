@@ -44,12 +44,17 @@ struct Status {
     double dt = 0.0;  // s
     long long steps_per_batch = 0;
     StableStep stability_limit;
-    std::string lowered_because;        // why an automatic step is smaller than usual; empty where it is not
-    std::string precision_remark;       // what float cannot honour; empty where all is well
-    std::string start_remark;           // what a start is not that it may seem; empty where all is well
-    std::optional<StretchLimit> limit;  // of the scene that runs
-    double force_scale = 1.0;           // N
-    bool clock = true;                  // false: wall-clock readings are not shown, so that pictures repeat
+    std::optional<StableStep> live_limit;  // here and now
+    std::string limit_remark;              // that the step is past it; empty where it is not
+    std::string method_remark;             // what the method does by nature at this step; empty where nothing
+    std::string step_reason;               // what the step in use was chosen by
+    std::optional<ErrorEstimate> error;    // the newest, of the step in use
+    std::string lowered_because;           // why an automatic step is smaller than usual; empty where it is not
+    std::string precision_remark;          // what float cannot honour; empty where all is well
+    std::string start_remark;              // what a start is not that it may seem; empty where all is well
+    std::optional<StretchLimit> limit;     // of the scene that runs
+    double force_scale = 1.0;              // N
+    bool clock = true;                     // false: wall-clock readings are not shown, so that pictures repeat
     double real_time_factor = 0.0;
     double step_seconds = 0.0;      // wall-clock
     double frame_seconds = 0.0;     // wall-clock
@@ -90,9 +95,11 @@ struct AppState {
     // What the panels took of the window in this frame, in window units.
     Area panel_area;
     Area view_area;
+    Area message_area;          // the box, or the line that stands for a closed one
     std::vector<Area> claimed;  // no drag that begins here turns the flag
 
     bool panel_open() const { return narrow ? panel_opened : panel_shown; }
+    bool opener_shown() const { return narrow && panel_shown && !panel_opened; }  // a button in a corner
     void toggle_panel() {
         bool& open = narrow ? panel_opened : panel_shown;
         open = !open;

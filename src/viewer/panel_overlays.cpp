@@ -38,13 +38,16 @@ constexpr const char* keys[][2] = {{"Left drag", "turn"},
                                    {"Ctrl Q", "quit"},
                                    {"Drop a file", "an image or a scene"}};
 
-void claim_window(AppState& app) {
+Area claim_window(AppState& app) {
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-    app.claimed.push_back({low.x, low.y, low.x + size.x, low.y + size.y});
+    return app.claimed.emplace_back(Area{low.x, low.y, low.x + size.x, low.y + size.y});
 }
 
-void place_at_top(const Area& view) {
-    ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, view.y0 + 14.0f}, ImGuiCond_Always, {0.5f, 0.0f});
+/// In the middle of the view, below the button that opens the panel.
+void place_at_top(const AppState& app) {
+    const float middle = (app.view_area.x0 + app.view_area.x1) / 2.0f;
+    const float button = app.opener_shown() ? ImGui::GetFrameHeight() + ImGui::GetStyle().WindowPadding.y : 0.0f;
+    ImGui::SetNextWindowPos({middle, app.view_area.y0 + button + 14.0f}, ImGuiCond_Always, {0.5f, 0.0f});
 }
 
 /// Why the run stands, in a few words.
@@ -57,6 +60,8 @@ std::string stopped_because(const Status& status) {
             return when + "the step is above the stability limit";
         case Divergence::Cause::energy_created:
             return when + "the step created energy";
+        case Divergence::Cause::too_soft:
+            return when + "the step made springs too soft";
         case Divergence::Cause::energy_lost:
             return when + "the step lost energy";
         case Divergence::Cause::float_rounding:
@@ -69,12 +74,12 @@ std::string stopped_because(const Status& status) {
 
 /// In the place of a closed message, as long as the run stands.
 void draw_standstill(AppState& app, Widgets& widgets) {
-    place_at_top(app.view_area);
+    place_at_top(app);
     ImGui::Begin("standstill", nullptr, box_flags);
     if (widgets.button("Stopped", "Opens the message that says why the run stopped, and what helps.", 0.0f,
                        stopped_because(app.status).c_str()))
         say_why_it_stands(app);
-    claim_window(app);
+    app.message_area = claim_window(app);
     ImGui::End();
 }
 
@@ -88,7 +93,7 @@ void draw_message(AppState& app, Widgets& widgets) {
     }
     const float scale = ImGui::GetFontSize() / usual_font;
     const float width = std::min(620.0f * scale, app.view_area.width() - 24.0f * scale);
-    place_at_top(app.view_area);
+    place_at_top(app);
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {width, 1e4f});
     ImGui::Begin("message", nullptr, box_flags);
     const ImVec4 color = message.trouble ? ImVec4(1.0f, 0.72f, 0.45f, 1.0f) : ImVec4(0.66f, 0.90f, 0.72f, 1.0f);
@@ -105,7 +110,7 @@ void draw_message(AppState& app, Widgets& widgets) {
         ImGui::SameLine();
     }
     const bool closed = widgets.button("Close", "Key Esc");
-    claim_window(app);
+    app.message_area = claim_window(app);
     ImGui::End();
     if (message.seconds_left > 0.0) {
         message.seconds_left -= double(ImGui::GetIO().DeltaTime);

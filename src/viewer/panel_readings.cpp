@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace drapeau {
@@ -44,6 +45,15 @@ std::vector<Remark> remarks_on(const AppState& app) {
     const Status& s = app.status;
     std::vector<Remark> remarks;
     if (s.stands()) return remarks;
+    if (!s.limit_remark.empty())
+        remarks.push_back(
+            {"Past the limit", as_sentence(s.limit_remark),
+             "The fastest motion that these springs have here and now is found by power iteration, once a "
+             "frame. A larger step than it allows makes it grow, at first too small to be seen."});
+    if (!s.method_remark.empty())
+        remarks.push_back({"Method remark", as_sentence(s.method_remark),
+                           "What the method does to the motion by nature. It is less at smaller steps, and none of it "
+                           "is in semi-implicit-euler, leapfrog or rk4."});
     if (!s.lowered_because.empty())
         remarks.push_back({"Lowered step", as_sentence(s.lowered_because),
                            "The automatic step is smaller than usual for as long as the method would create energy "
@@ -74,23 +84,30 @@ std::vector<Remark> remarks_on(const AppState& app) {
 void show_stability(const Status& s, Widgets& widgets) {
     constexpr double close_to_limit = 0.92, much_created = 0.1;
     constexpr const char* tip =
-        "The step as a share of the largest that is stable for these springs and this damping. Past it the run "
-        "diverges. \"energy +12 %\": the method created that share of the energy there is; a smaller step creates "
-        "less.";
+        "The step as a share of the largest that is stable for the springs as they are here and now, found once a "
+        "frame "
+        "by power iteration, within 5 %; and of the bound that holds however the flag is folded, with these springs "
+        "and "
+        "this damping. Past the limit noise grows; past the bound it may. \"energy +12 %\": the method created that "
+        "share of the energy there is; a smaller step creates less.";
     using enum Widgets::Mood;
     const double created = s.readings.created_share;
     Widgets::Mood mood = created > Ledger::broken_share ? bad : created > much_created ? close : calm;
     const std::string energy = mood == calm ? "" : fmt::format(",  energy +{:.0f} %", 100.0 * created);
     if (s.stability_limit.is_finite()) {
-        const double share = s.dt / s.stability_limit.seconds();
+        const double of_bound = s.dt / s.stability_limit.seconds();
+        const bool has_live = s.live_limit && s.live_limit->is_finite();
+        const double share = has_live ? s.dt / s.live_limit->seconds() : of_bound;
         if (share > 1.0)
             mood = bad;
         else if (share > close_to_limit && mood == calm)
             mood = close;
-        const std::string text = share < 10.0 ? fmt::format("{:.0f} % of the limit", 100.0 * share)
-                                              : fmt::format("{:.3g} times the limit", share);
-        widgets.gauge("Stability", share, mood, energy.empty() ? text : fmt::format("{:.0f} %", 100.0 * share) + energy,
-                      tip);
+        const auto percent = [](double part) {
+            return part < 10.0 ? fmt::format("{:.0f} %", 100.0 * part) : fmt::format("{:.3g} times", part);
+        };
+        const std::string text =
+            has_live ? percent(share) + " of limit, bound " + percent(of_bound) : percent(share) + " of the bound";
+        widgets.gauge("Stability", share, mood, energy.empty() ? text : percent(share) + energy, tip);
     } else if (s.stability_limit.is_none()) {
         widgets.reading("Stability", "no stable step",
                         "With these settings this method gains energy at any step. More drag, friction or "
@@ -99,6 +116,32 @@ void show_stability(const Status& s, Widgets& widgets) {
     } else {
         widgets.reading("Stability", "any step is stable" + energy, tip, mood);
     }
+}
+
+/// Why the step is what it is.
+void show_step_limit(const Status& s, Widgets& widgets) {
+    constexpr std::string_view limit = "limit: ";
+    const bool limited = s.step_reason.starts_with(limit);
+    widgets.reading(
+        "Step limit", limited ? s.step_reason.substr(limit.size()) : "none: the step is given",
+        "What keeps the automatic step from being larger: stability, for which springs, dampers or drag ask; "
+        "the tolerance, against the error measured; energy that a larger step would create; or 1/60 s.");
+}
+
+void show_error(const Status& s, Widgets& widgets) {
+    std::string tip =
+        "How far the masses stray from the exact motion in a second of simulated time (root mean square). Measured "
+        "every "
+        "second on a spare thread: a tenth of a second is run again with half the step and with a quarter, and the "
+        "differences must shrink as the method's order says.";
+    const auto best = s.error ? s.error->best_float_step() : std::nullopt;
+    if (best && s.stability_limit.allows(*best))
+        tip += "\nIn float, steps of about " + quantity(*best, "s", 2) +
+               " are the most accurate: smaller ones lose more to rounding than they gain.";
+    if (!s.error || s.stands()) return widgets.reading("Error", none, tip.c_str());
+    if (s.error->resolved()) return widgets.reading("Error", rounded(1e3 * s.error->rate, 3) + " mm/s", tip.c_str());
+    tip = "Not resolvable: " + s.error->explanation() + ".\n" + tip;
+    widgets.reading("Error", "unknown: " + s.error->reason(), tip.c_str(), Widgets::Mood::close);
 }
 
 void show_limit(const PassReport& did, double limit, Widgets& widgets) {
@@ -120,7 +163,7 @@ void show_limit(const PassReport& did, double limit, Widgets& widgets) {
 }  // namespace
 
 float readings_height(const AppState& app) {
-    float lines = 7.6f;
+    float lines = 9.6f;
     if (app.status.limit) lines += 1.0f;
     float height = lines * ImGui::GetTextLineHeightWithSpacing();
     for (const Remark& remark : remarks_on(app))
@@ -136,7 +179,9 @@ void draw_readings(const AppState& app, Widgets& widgets) {
                     "up: the flag moves slower, but no step is skipped.");
     widgets.reading("Step", s.dt > 0.0 ? quantity(s.dt, "s") + fmt::format(",  {} per frame", s.steps_per_batch) : none,
                     "The step in use. A frame is 1/60 s of simulated time.");
+    show_step_limit(s, widgets);
     show_stability(s, widgets);
+    show_error(s, widgets);
     for (const Remark& remark : remarks_on(app)) widgets.remark(remark.label, remark.text, remark.tip);
     widgets.reading("Work", (s.clock ? quantity(s.step_seconds, "s") : std::string(none)) + " a step",
                     "Wall-clock time of one step.");

@@ -20,7 +20,9 @@ std::string about_methods() {
     for (std::size_t n = 0; n < method_count; ++n)
         with_method(Method(n), [&]<class M>(const M&) {
             text += "\n" + std::string(M::name) + ": order " + std::to_string(M::order) + ", " +
-                    std::to_string(M::passes) + (M::passes == 1 ? " evaluation" : " evaluations") + " a step";
+                    (M::solves ? "about " : "") + std::to_string(M::passes) +
+                    (M::passes == 1 ? " evaluation" : " evaluations") + " a step";
+            if constexpr (requires { M::caution; }) text += std::string("; ") + M::caution;
         });
     return text;
 }
@@ -31,6 +33,7 @@ void edit_method(AppState& app, Widgets& widgets) {
     const TimeSettings& origin = app.origin.time;
     edit(widgets, row_of(&TimeSettings::method, time_keys), about, time.method, origin.method);
     edit(widgets, "time", row_of(&TimeSettings::precision, time_keys), time, origin);
+    edit(widgets, "time", row_of(&TimeSettings::half_kick_start, time_keys), time, origin);
 }
 
 void edit_step(AppState& app, Widgets& widgets) {
@@ -40,9 +43,14 @@ void edit_step(AppState& app, Widgets& widgets) {
     if (widgets.toggle(
             "Step chosen automatically", automatic,
             "A share of the stability limit, from 30 % where nothing damps to 75 %; lowered further while the "
-            "method would create energy. Off: the step below is used."))
+            "method would create energy, and to what the tolerance asks for. Off: the step below is used.")) {
         dt = automatic ? std::nullopt : std::optional(status.dt > 0.0 ? status.dt : 1e-4);
-    if (!dt) return;
+        if (dt) app.scene.time.tolerance.reset();
+    }
+    if (!dt) {
+        edit(widgets, "time", row_of(&TimeSettings::tolerance, time_keys), app.scene.time, app.origin.time);
+        return;
+    }
     const auto row = row_of(&TimeSettings::dt, time_keys);
     edit(widgets, row, tip_of("time", row.key, row.about), *dt, app.origin.time.dt.value_or(*dt));
 }

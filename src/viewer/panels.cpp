@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <string>
+
 namespace drapeau {
 
 namespace {
@@ -27,7 +29,9 @@ void draw_page(AppState& app, PanelMemory& memory, Widgets& widgets) {
 void draw_page_and_readings(AppState& app, PanelMemory& memory, Widgets& widgets) {
     const float page_height = ImGui::GetContentRegionAvail().y - readings_height(app);
     const bool scrolls = page_height >= 5.0f * ImGui::GetFrameHeightWithSpacing();
-    if (scrolls) ImGui::BeginChild("page", {0.0f, page_height});
+    // Each page is scrolled on its own.
+    const std::string name = "page " + std::to_string(memory.page);
+    if (scrolls) ImGui::BeginChild(name.c_str(), {0.0f, page_height});
     draw_page(app, memory, widgets);
     if (scrolls) ImGui::EndChild();
     ImGui::Separator();
@@ -83,7 +87,7 @@ void draw_panels(AppState& app, PanelMemory& memory, UiMap& map) {
         draw_panel(app, memory, widgets);
         if (!widgets.correction().empty()) say(app, Message::Cause::typed, widgets.correction(), false);
         app.claimed.push_back(app.panel_area);
-    } else if (app.narrow && app.panel_shown) {
+    } else if (app.opener_shown()) {
         draw_opener(app, widgets);
     }
     if (app.scene.view.forces) draw_legend(app);

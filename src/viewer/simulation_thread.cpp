@@ -46,9 +46,10 @@ int simulation_threads(unsigned processors) {
     return std::max(1, static_cast<int>(processors) - 1);
 }
 
-SimulationThread::SimulationThread(Simulation simulation, int threads)
-    : threads_(threads), simulation_(std::move(simulation)) {
+SimulationThread::SimulationThread(Simulation simulation, int threads, ErrorWatch::Mode errors)
+    : threads_(threads), errors_(errors), simulation_(std::move(simulation)) {
     share_among(simulation_, threads_);
+    simulation_.watch_error(errors_);
     failure_.reserve(longest_failure);
     now_.scene = simulation_.scene();
     publish(true);
@@ -183,6 +184,7 @@ void SimulationThread::take_over(const Change& change) {
         if (change.from_start) {
             Simulation next(change.scene, &abandon_);
             share_among(next, threads_);
+            next.watch_error(errors_);
             simulation_ = std::move(next);
         } else {
             simulation_.change(change.scene, &abandon_);
@@ -229,6 +231,11 @@ void SimulationThread::publish(bool fresh) {
     now_.dt = simulation_.dt();
     now_.steps_per_batch = simulation_.steps_per_batch();
     now_.stability_limit = simulation_.stability_limit();
+    now_.live_limit = simulation_.live_limit();
+    now_.limit_remark = simulation_.limit_remark();
+    now_.method_remark = simulation_.method_remark();
+    now_.step_reason = simulation_.step_reason();
+    now_.error = simulation_.error();
     now_.lowered_because = simulation_.lowered_because();
     now_.precision_remark = simulation_.precision_remark();
     now_.start_remark = simulation_.start_remark();

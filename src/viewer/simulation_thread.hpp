@@ -23,6 +23,11 @@ struct Moment {
     double dt = 0.0;  // s, the step in use
     long long steps_per_batch = 0;
     StableStep stability_limit;            // of the closed bound
+    std::optional<StableStep> live_limit;  // here and now; see Simulation
+    std::string limit_remark;              // that the step is past it; empty where it is not
+    std::string method_remark;             // what the method does by nature at this step; empty where nothing
+    std::string step_reason;               // what the step in use was chosen by
+    std::optional<ErrorEstimate> error;    // the newest, of the step in use
     std::string lowered_because;           // why an automatic step is smaller than usual; empty where it is not
     std::string precision_remark;          // what float cannot honour; empty where all is well
     std::string start_remark;              // what a start is not that it may seem; empty where all is well
@@ -44,8 +49,10 @@ int simulation_threads(unsigned processors);
 
 class SimulationThread {
 public:
-    /// `threads` may share a step, whatever the scene becomes; it stays on one where the system gives no more.
-    explicit SimulationThread(Simulation simulation, int threads = 1);
+    /// `threads` may share a step, whatever the scene becomes; it stays on one where the system gives no more. Errors
+    /// are measured on a spare one; whether they are waited for, so that every run shows the same, `errors` says.
+    explicit SimulationThread(Simulation simulation, int threads = 1,
+                              ErrorWatch::Mode errors = ErrorWatch::Mode::aside);
     /// Ends promptly, whatever is under way.
     ~SimulationThread();
     SimulationThread(const SimulationThread&) = delete;
@@ -79,6 +86,7 @@ private:
     void fail(std::string_view why) noexcept;
 
     int threads_;
+    ErrorWatch::Mode errors_;
     Simulation simulation_;  // only the thread touches it and the next two once it runs
     Moment now_;
     bool failed_ = false;

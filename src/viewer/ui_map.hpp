@@ -26,6 +26,7 @@
 //   columns rows     of the masses drawn
 //   texture          path of the image on the flag, or nothing
 //   message          what the message box says, or nothing
+//   message_box      x0 y0 x1 y1 of that box, or of the line that stands for a closed message; nothing without
 //   question         what the window asks before it does something, or nothing
 //   loading          the name of a file that is being read, or nothing
 //   settling         1 while a hanging flag comes to rest before it starts

@@ -101,8 +101,8 @@ Viewer::Viewer(const Options& options, LoadedScene loaded)
            options.frames > 0 ? 1.0f : pixels_per_unit(window_)),
       target_(options.width, options.height, samples),
       film_(options.film.empty() ? nullptr : std::make_unique<Film>(options.film, options.width, options.height, 60)),
-      simulation_(first_simulation(loaded.scene, repeatable()),
-                  simulation_threads(std::thread::hardware_concurrency())) {
+      simulation_(first_simulation(loaded.scene, repeatable()), simulation_threads(std::thread::hardware_concurrency()),
+                  repeatable() ? ErrorWatch::Mode::awaited : ErrorWatch::Mode::aside) {
     if (!into_files(options)) window_.show(options.width, options.height, !options.size_given && !repeatable());
     app_.scene_names = shipped_scenes();
     app_.texture_files = shipped_pictures();
@@ -173,8 +173,9 @@ void Viewer::exchange() {
 
 void Viewer::use_safe_step() {
     const auto& divergence = app_.status.divergence;
-    if (app_.commands.use_safe_step && divergence && divergence->safe_dt > 0.0)
-        app_.scene.time.dt = divergence->safe_dt;
+    if (!app_.commands.use_safe_step || !divergence || divergence->safe_dt <= 0.0) return;
+    app_.scene.time.dt = divergence->safe_dt;
+    app_.scene.time.tolerance.reset();
 }
 
 void Viewer::send_settings() {
@@ -231,6 +232,11 @@ void Viewer::receive(double passed) {
         status.dt = moment_.dt;
         status.steps_per_batch = moment_.steps_per_batch;
         status.stability_limit = moment_.stability_limit;
+        status.live_limit = moment_.live_limit;
+        status.limit_remark = moment_.limit_remark;
+        status.method_remark = moment_.method_remark;
+        status.step_reason = moment_.step_reason;
+        status.error = moment_.error;
         status.lowered_because = moment_.lowered_because;
         status.precision_remark = moment_.precision_remark;
         status.start_remark = moment_.start_remark;

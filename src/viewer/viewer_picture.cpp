@@ -151,6 +151,8 @@ void Viewer::write_map() {
     map_.state("rows", status.rows);
     map_.state("texture", app_.texture_file.string());
     map_.state("message", app_.message.shown());
+    const bool has_message = !app_.message.text.empty() || app_.status.stands();
+    map_.state("message_box", has_message ? written(app_.message_area) : "");
     map_.state("question", app_.question ? printable(app_.question->text) : "");
     map_.state("loading", printable(status.loading));
     map_.state("settling", status.settling ? "1" : "0");

@@ -109,6 +109,24 @@ TEST_CASE("a panel that would take most of the window steps aside and is opened 
     app.check_healthy();
 }
 
+TEST_CASE("what a small window says leaves the button that opens the panel free") {
+    const Screen screen;
+    const TemporaryFolder folder;
+    App app(screen, {written(folder, "apart.toml", diverging_scene()), "--size", "480x360"});
+    const auto button_is_free = [&](const Look& look) {
+        const Box button = look.controls.at("Panel").box, said = look.box("message_box");
+        CHECK(said.y0 >= button.y1);
+        CHECK(said.y1 <= look.box("view").y1);
+        CHECK(said.x0 < button.x1);  // else it would be free anyhow
+    };
+    app.wait_until("the end of the run", [](const Look& look) { return look.number("diverged") == 1; });
+    button_is_free(app.settle());
+    app.press("Escape");
+    app.wait_until("the line", [](const Look& look) { return look.has("Stopped"); });
+    button_is_free(app.settle());
+    app.check_healthy();
+}
+
 TEST_CASE("names in other scripts are shown in their own letters") {
     const Screen screen;
     // Letters of one width; whatever the font lacks looks alike.

@@ -154,7 +154,7 @@ TEST_CASE("a flag that starts hanging settles in sight, and the window lives mea
     const std::string slow =
         "name = \"Slow\"\n[flag]\ncolumns = 200\nrows = 200\nattach = \"grommets\"\nstart = \"hanging\"\n"
         "[springs]\nmass = 1e-5\nstiffness = 1000.0\ndiagonal_stiffness = 500.0\n[gravity]\n";
-    App app(screen, {written(folder, "slow.toml", slow), "--size", "900x640"});
+    App app(screen, {written(folder, "slow.toml", slow), "--size", "900x800"});
     const Look settling = app.wait_until("settling", [](const Look& look) { return look.number("settling") == 1; });
     const Look later =
         app.wait_until("frames", [&](const Look& look) { return look.number("frame") > settling.number("frame") + 3; });

@@ -337,6 +337,41 @@ TEST_CASE("a refusal is told once: closed while the flag plays it stays closed, 
     app.check_healthy();
 }
 
+TEST_CASE("the error of the run is shown, and a tolerance makes the step smaller until it is met") {
+    const Screen screen;
+    App app(screen, {"report", "--size", "1280x800", "--set", "flag.columns=16", "--set", "flag.rows=11"});
+    const auto value = [](const Look& look, const std::string& label) { return look.controls.at(label).value; };
+    const Look measured = app.wait_until("an error", [&](const Look& look) {
+        return look.has("Reading: Error") && value(look, "Reading: Error").find("mm/s") != std::string::npos;
+    });
+    CHECK(value(measured, "Reading: Step limit") == "stiffness of the springs");
+    const double error = std::stod(value(measured, "Reading: Error"));  // mm/s
+    CHECK(error > 0.01);
+    CHECK(error < 20.0);
+
+    app.click("Page: Time");
+    app.show("Tolerance on");
+    app.set("Tolerance on", true);
+    app.type_number("Tolerance", "0.1");
+    const Look met = app.wait_until("the tolerance to be met", [&](const Look& look) {
+        return value(look, "Reading: Step limit").find(" of 0.1 mm/s asked") != std::string::npos;
+    });
+    // Nothing is wider than the panel, in which every control ends at the same place.
+    const double right = met.controls.at("Page: Time").box.x1;
+    for (const auto& [label, control] : met.controls)
+        if (label.starts_with("Reading: ")) {
+            INFO(label << ": " << control.value);
+            CHECK(control.box.x1 <= right + 1.0);
+        }
+    // A step that is given has no tolerance.
+    app.set("Step chosen automatically", false);
+    app.wait_until("the step to be given", [&](const Look& look) {
+        return !look.has("Tolerance on") && value(look, "Reading: Step limit") == "none: the step is given";
+    });
+    CHECK(app.look().text("message").empty());
+    app.check_healthy();
+}
+
 TEST_CASE("the stretch limit and travelling gusts are switched on, and the panel says what the limit achieved") {
     const Screen screen;
     App app(screen, {"report", "--size", "900x640"});

@@ -12,7 +12,7 @@ inline namespace DRAPEAU_ISA {
 struct ForwardEuler : OneKick {
     static constexpr const char* name = "forward-euler";
     static constexpr int order = 1;
-    static constexpr bool staggered = false, creates_energy = true;
+    static constexpr bool creates_energy = true;
 
     template <int pass, bool damped, class V, class Rate, class Real>
     DRAPEAU_INLINE static Motion<V> move(const Masses<V>& masses, const Vec3<V>& a, const Rate& rate, Real dt) {
@@ -30,6 +30,12 @@ struct ForwardEuler : OneKick {
         if (o.stiffness == 0.0 && o.damping + o.on_mass == 0.0) return StableStep::unlimited();
         const double against_growth = o.stiffness > 0.0 ? o.on_mass / o.stiffness : INFINITY;
         return StableStep::of_seconds(std::fmin(against_growth, 2.0 * o.mass / (o.damping + o.on_mass)));
+    }
+
+    /// The roots of z^2 - (2 - b) z + 1 - b + a.
+    static double growth(const Oscillator& o, double dt) {
+        const double a = dt * dt * o.stiffness / o.mass, b = dt * (o.damping + o.on_mass) / o.mass;
+        return larger_root(2.0 - b, 1.0 - b + a);
     }
 
     /// The drag + friction (N s/m) that gives the step dt (s).

@@ -15,7 +15,9 @@ inline namespace DRAPEAU_ISA {
 struct Leapfrog : OneKick {
     static constexpr const char* name = "leapfrog";
     static constexpr int order = 2;
+    using Looks = Leapfrog;
     static constexpr bool staggered = true, starts_with_forces = true;
+    static constexpr double damping_weight = 4.0, on_mass_weight = 0.0;  // in the limit a + weight b < 4
     template <bool damped>
     static constexpr int fields = damped ? 3 : 2;
     template <bool damped>
@@ -62,8 +64,31 @@ struct Leapfrog : OneKick {
         if constexpr (damped) mass.set(2, mass.get(2) + (Real(1) / dt) * dx);
     }
 
+    /// Beyond b = 2 drag and friction throw a velocity past the one that they carry it to, to and fro; half of that is
+    /// smooth.
+    static StableStep smooth_step(const Oscillator& o) {
+        return o.on_mass > 0.0 ? StableStep::of_seconds(o.mass / o.on_mass) : StableStep::unlimited();
+    }
+
     static StableStep stable_step(const Oscillator& o) {
         return step_where(o.stiffness, 4.0 * o.damping, 4.0 * o.mass);
+    }
+    /// By taking steps: what is kept makes it a matrix of three rows.
+    static double growth(const Oscillator& o, double dt) {
+        constexpr int settling = 2000, steps = 500;
+        const double lambda = o.stiffness / o.mass, beta = o.damping / o.mass, half = 0.5 * dt * o.on_mass / o.mass;
+        double x = 1.0, v = 0.3 * std::sqrt(lambda), seen = v, grown = 0.0;
+        for (int n = 0; n < settling + steps; ++n) {
+            const double next = ((1.0 - half) * v - dt * (lambda * x + beta * seen)) / (1.0 + half);
+            x += dt * next;
+            seen = 1.5 * next - 0.5 * v;
+            v = next;
+            const double size = std::sqrt(lambda * x * x + v * v);
+            if (!(size > 0.0)) return 0.0;
+            if (n >= settling) grown += std::log(size);
+            x /= size, v /= size, seen /= size;
+        }
+        return std::exp(grown / steps);
     }
 };
 

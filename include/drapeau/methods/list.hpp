@@ -2,9 +2,11 @@
 #pragma once
 
 #include "drapeau/methods/forward_euler.hpp"
+#include "drapeau/methods/implicit_euler.hpp"
 #include "drapeau/methods/leapfrog.hpp"
 #include "drapeau/methods/rk4.hpp"
 #include "drapeau/methods/semi_implicit_euler.hpp"
+#include "drapeau/methods/xpbd.hpp"
 
 #include <cstddef>
 #include <tuple>
@@ -14,7 +16,7 @@
 namespace drapeau {
 inline namespace DRAPEAU_ISA {
 
-using Methods = std::tuple<ForwardEuler, SemiImplicitEuler, Leapfrog, Rk4>;
+using Methods = std::tuple<ForwardEuler, SemiImplicitEuler, Leapfrog, Rk4, ImplicitEuler, Xpbd>;
 
 }  // namespace DRAPEAU_ISA
 

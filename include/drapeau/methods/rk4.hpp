@@ -10,15 +10,19 @@
 
 #include "drapeau/method.hpp"
 
+#include <complex>
+
 namespace drapeau {
 inline namespace DRAPEAU_ISA {
 
 struct Rk4 {
     static constexpr const char* name = "rk4";
     static constexpr int order = 4;
+    using Looks = OneKick;  // at the beginning of a step
     static constexpr bool staggered = false, starts_with_forces = false;
-    static constexpr bool creates_energy = false, dissipates_energy = true;
+    static constexpr bool creates_energy = false, dissipates_energy = true, solves = false;
     static constexpr double coarsest_step = 1.0 / 60.0;  // s
+    static constexpr bool bound_is_safe_only = true;
     // A mode loses the share y^6/72 of its energy a step, y = omega dt: at 0.3 of the limit the fastest 0.5 %.
     static constexpr double automatic = 0.4;
     static constexpr int passes = 4;
@@ -80,6 +84,20 @@ struct Rk4 {
         const double ringing = (beta == 0.0 ? 2.8284 : 2.6155) / fastest;  // infinite without springs
         return StableStep::of_seconds(std::fmin(ringing, 2.7853 / beta));
     }
+
+    /// |1 + z + z^2/2 + z^3/6 + z^4/24|, z = dt times either root of z^2 + beta z + lambda.
+    static double growth(const Oscillator& o, double dt) {
+        const double beta = (o.damping + o.on_mass) / o.mass;
+        const std::complex<double> spread = std::sqrt(std::complex<double>(0.25 * beta * beta - o.stiffness / o.mass));
+        double most = 0.0;
+        for (const double sign : {-1.0, 1.0}) {
+            const auto z = dt * (-0.5 * beta + sign * spread);
+            most = std::fmax(most, std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))));
+        }
+        return most;
+    }
+    // Which mode is the fastest depends little on damping.
+    static constexpr double damping_weight = 0.0, on_mass_weight = 0.0;
 };
 
 }  // namespace DRAPEAU_ISA

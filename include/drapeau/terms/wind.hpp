@@ -75,6 +75,16 @@ struct Wind {
     /// The wind at a mass whose rest place is `rest` (m).
     glm::dvec3 at(double t, const glm::dvec3& rest) const { return at(t - delay(slowness(), rest)); }
 
+    /// d (w - v) v is at most d w^2 / 4. Noise stays within 2.
+    double most_power(double d) const {
+        double square = 0.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double w = std::fabs(velocity[axis]) + 2.0 * (slow + fast) * gusts[axis];
+            square += w * w;
+        }
+        return 0.25 * d * square;
+    }
+
     bool varies_by_row(const Grid&) const { return travelling && velocity.y != 0.0; }
 
     /// Felt through air drag: (d/m) w on every mass.
