@@ -132,7 +132,7 @@ TEST_CASE("An automatic step that a short run shows to be too large is answered 
 
 TEST_CASE("Where steps are too short to move a mass, its fall is not called created", "[extremes]") {
     // Terminal velocity m g / c_f = 10^-8 m/s: in a step 10^-17 m, below a unit of a place of some metres. Stopped by
-    // friction or not, gravity's work is known from velocities.
+    // friction or not, it is far from a billionth of the flag's size in all.
     for (const double friction : {0.0, 1e6}) {
         Scene scene = sheet(method_id<ForwardEuler>);
         scene.flag.height = 5.0;

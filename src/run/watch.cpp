@@ -29,6 +29,15 @@ Estimate sum_of_samples(const std::vector<double>& samples) {
     return sum;
 }
 
+/// The energy (J) of a fall too small to be seen. In the first moments of one, steps may be too short to move a mass by
+/// a unit of its place: what it has fallen is in its velocity alone.
+double unseen_fall(const Engine& engine) {
+    constexpr double unseen = 1e-9;  // of the flag's size
+    const Model& model = engine.model();
+    const double pull = std::hypot(model.potential({1, 0, 0}), model.potential({0, 1, 0}), model.potential({0, 0, 1}));
+    return unseen * engine.reach() * pull * model.springs.mass * static_cast<double>(model.grid.masses());
+}
+
 }  // namespace
 
 void Watch::open(Engine& engine, const Progress& now, double steps_a_batch, Nature nature) {
@@ -37,6 +46,7 @@ void Watch::open(Engine& engine, const Progress& now, double steps_a_batch, Natu
     group_ = std::max(1LL, static_cast<long long>(std::ceil(steps_for_a_group / std::max(steps_a_batch, 1.0))));
     look(engine, now);
     ledger_.open(now.time(), energy_, potential_);
+    ledger_.rounding = unseen_fall(engine);
     last_unrest_ = now.time();
 }
 
@@ -161,7 +171,7 @@ bool Watch::count_again(Engine& engine, const Progress& now, const std::atomic<b
     engine.restore(static_cast<int>(from - saved_.data()));
     Progress again = from->progress;
     const Measurement before = engine.measure(again.time());
-    double work = 0.0, came_in = 0.0, stored = 0.0;
+    double work = 0.0, came_in = 0.0;
     while (again.steps < now.steps) {
         double external = 0.0;  // of a batch
         for (const long long end = std::min(again.next_batch(), now.steps); again.steps < end; ++again.steps) {
@@ -169,7 +179,6 @@ bool Watch::count_again(Engine& engine, const Progress& now, const std::atomic<b
             engine.advance(again.clock, again.steps, again.steps + 1, again.steps, report, nullptr);
             work += report.work.all();
             external += report.work.external;
-            stored += report.work.stored;
         }
         came_in += std::max(0.0, external);
         if (!abandon || !abandon->load(std::memory_order_relaxed)) continue;
@@ -180,12 +189,10 @@ bool Watch::count_again(Engine& engine, const Progress& now, const std::atomic<b
     const double rounding = rounding_energy(engine, steps);
     engine.restore(end_place);
     look(engine, now);
-    // Where steps are too short to move a mass by a unit of its place, what it falls is in its velocity alone.
-    const double fallen_to = std::min(potential_, engine.model().potential(before.moment) + stored);
     Estimate made{after.balance() - before.balance() - work, 0.0};
     if (made.value < 0.0 && !dissipates_) made = {};
     ledger_ = from->ledger;
-    ledger_.add(now.time(), energy_, fallen_to, possible({came_in, 0.0}, engine, from->progress.time(), now), made,
+    ledger_.add(now.time(), energy_, potential_, possible({came_in, 0.0}, engine, from->progress.time(), now), made,
                 rounding);
     // Past the limit v-.v+ may be as far below zero as springs hold more than there could be.
     const double kinetic = engine.kinetic();

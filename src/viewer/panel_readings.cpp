@@ -86,7 +86,8 @@ void show_stability(const Status& s, Widgets& widgets) {
     constexpr const char* tip =
         "The step as a share of the largest that is stable for the springs as they are here and now, found once a "
         "frame "
-        "by power iteration, within 5 %; and of the bound that holds however the flag is folded, with these springs "
+        "by power iteration, within some per cent; and of the bound that holds however the flag is folded, with these "
+        "springs "
         "and "
         "this damping. Past the limit noise grows; past the bound it may. \"energy +12 %\": the method created that "
         "share of the energy there is; a smaller step creates less.";

@@ -32,12 +32,6 @@ struct ForwardEuler : OneKick {
         return StableStep::of_seconds(std::fmin(against_growth, 2.0 * o.mass / (o.damping + o.on_mass)));
     }
 
-    /// The roots of z^2 - (2 - b) z + 1 - b + a.
-    static double growth(const Oscillator& o, double dt) {
-        const double a = dt * dt * o.stiffness / o.mass, b = dt * (o.damping + o.on_mass) / o.mass;
-        return larger_root(2.0 - b, 1.0 - b + a);
-    }
-
     /// The drag + friction (N s/m) that gives the step dt (s).
     static double damping_needed(const Oscillator& o, double dt) { return dt * o.stiffness; }
 };

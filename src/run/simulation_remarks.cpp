@@ -1,0 +1,75 @@
+// What a simulation says of its step, its method and its precision, in words for a person.
+#include "run/simulation.hpp"
+
+#include "io/text.hpp"
+#include "run/method_remark.hpp"
+#include "run/simulation_run.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace drapeau {
+
+std::optional<StableStep> Simulation::live_limit() const {
+    if (!run_->mode) return {};
+    return with_method(run_->scene.time.method, [&]<class M>(const M& method) -> std::optional<StableStep> {
+        if constexpr (has_live_limit<M>)
+            return exact_step(method, *run_->mode);
+        else
+            return {};
+    });
+}
+
+std::string Simulation::limit_remark() const {
+    const auto live = live_limit();
+    if (!live || !live->is_finite() || live->allows(dt())) return "";
+    const double growth = with_method(run_->scene.time.method, [&]<class M>(const M&) {
+        if constexpr (has_live_limit<M>)
+            return M::growth(*run_->mode, dt());
+        else
+            return 1.0;
+    });
+    const double share = dt() / live->seconds(), steps = std::log(10.0) / std::log(growth);
+    const std::string limit = quantity(live->seconds(), "s");
+    return fmt::format("the step is {}: noise grows tenfold every {} steps",
+                       share < 2.0 ? rounded(100.0 * (share - 1.0), 2) + " % past the limit of " + limit
+                                   : rounded(share, 3) + " times the limit of " + limit,
+                       rounded(std::max(1.0, steps), 2));
+}
+
+std::string Simulation::method_remark() const {
+    return drapeau::method_remark(run_->scene.time.method, model(), dt());
+}
+
+std::string Simulation::lowered_because() const {
+    if (run_->lowered == 1.0) return "";
+    return fmt::format(
+        "the automatic step is at {:.2g} % of its usual size: the motion is violent and a larger step would create "
+        "energy",
+        100.0 * run_->lowered);
+}
+
+std::string Simulation::step_reason() const {
+    const Run& run = *run_;
+    if (!run.automatic()) return "given";
+    if (run.accuracy_decides()) {
+        const bool known = run.error && run.error->resolved();
+        const std::string measured = known ? rounded(1e3 * run.error->rate, 2) + " of " : "";
+        return fmt::format("limit: {}{:.3g} mm/s asked", measured, 1e3 * *run.scene.time.tolerance);
+    }
+    if (run.lowered < 1.0) return "limit: energy was being created";
+    return "limit: " + limit_of_step(run.scene.time.method, run.engine->model());
+}
+
+std::string Simulation::precision_remark() const {
+    const Run& run = *run_;
+    if (run.precision != run.scene.time.precision)
+        return "computed in double: float cannot honour steps of " + quantity(run.now.clock.dt, "s") + " in this scene";
+    if (!run.float_resolves_too_little()) return "";
+    const double unit = float_velocity_unit(run.engine->reach(), run.now.clock.dt);
+    return "at steps of " + quantity(run.now.clock.dt, "s") + " float knows velocities to " + quantity(unit, "m/s", 2) +
+           " only, and masses move too far or not at all: choose double";
+}
+
+}  // namespace drapeau
