@@ -119,6 +119,7 @@ TEST_CASE_METHOD(FlyingFlag, "a file that exists is overwritten only if a person
     // Written by this session: it is saved again without a question.
     app.press("Escape");
     app.wait_until("the message is closed", [](const Look& look) { return look.text("message").empty(); });
+    app.show("Save scene");  // a little further down
     app.click("Save scene");
     wait_for_message("Saved ");
     CHECK(app.look().text("question").empty());
