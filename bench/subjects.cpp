@@ -81,15 +81,17 @@ private:
     Measurement here_;
 };
 
-/// Looks at the fastest mode.
+/// Looks at the fastest mode, which each engine finds anew and then keeps.
 class ModeLooks final : public EngineSteps {
 public:
-    using EngineSteps::EngineSteps;
-    void restore() override {}
+    ModeLooks(const Case& c, const State<double>& start) : EngineSteps(c, start), case_(c), start_(start) {}
+    void restore() override { static_cast<EngineSteps&>(*this) = EngineSteps(case_, start_); }
     void run(int times) override { mode_ = engine_->fastest_mode(2.0, 2.0, dt, times); }
     std::uint64_t hash() const override { return std::bit_cast<std::uint64_t>(mode_.stiffness); }
 
 private:
+    Case case_;
+    const State<double>& start_;
     Oscillator mode_{};
 };
 
