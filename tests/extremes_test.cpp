@@ -130,6 +130,19 @@ TEST_CASE("An automatic step that a short run shows to be too large is answered 
     CHECK(simulation.time() == Approx(0.057).margin(usual));
 }
 
+TEST_CASE("However strong its dampers, xpbd keeps its automatic step", "[extremes]") {
+    // What such dampers take in the midst of a step is unknown at its end: far too much would be counted.
+    Scene scene = sheet(method_id<Xpbd>);
+    scene.springs.damping = 1e5;
+    scene.springs.drag = 0.04;
+    scene.gravity().emplace();
+    scene.wind().emplace().velocity = {3.0, 0.0, 0.6};
+    Simulation simulation(scene);
+    const double usual = simulation.dt();
+    for (int n = 0; n < 20; ++n) REQUIRE_FALSE(simulation.advance_batch());
+    CHECK(simulation.dt() == usual);
+}
+
 TEST_CASE("Where steps are too short to move a mass, its fall is not called created", "[extremes]") {
     // Terminal velocity m g / c_f = 10^-8 m/s: in a step 10^-17 m, below a unit of a place of some metres. Stopped by
     // friction or not, it is far from a billionth of the flag's size in all.
@@ -178,6 +191,20 @@ TEST_CASE("Far from the origin float gives way to double, or is refused", "[extr
     const auto hash = given.state_hash();
     CHECK_THROWS_AS(given.put(far), InputError);
     CHECK(given.state_hash() == hash);
+}
+
+TEST_CASE("An automatic step that no machine can follow is refused, and the flag that flies stays", "[extremes]") {
+    Scene scene = sheet(method_id<SemiImplicitEuler>);
+    Simulation flying(scene);
+    flying.advance_batch();
+    const auto hash = flying.state_hash();
+    scene.springs.mass = 1e-9, scene.springs.stiffness = 1e9;
+    scene.springs.diagonal_stiffness.reset();
+    scene.springs.damping = 1e3;  // limit about m/(8 c) = 10^-13 s
+    CHECK_THROWS_WITH(Simulation(scene), ContainsSubstring("is the least"));
+    CHECK_THROWS_AS(flying.change(scene), InputError);
+    CHECK(flying.state_hash() == hash);
+    CHECK_FALSE(flying.advance_batch());
 }
 
 TEST_CASE("Explaining a divergence costs no more than a second or so, however short the steps", "[extremes]") {

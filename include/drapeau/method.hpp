@@ -2,7 +2,7 @@
 //
 //   name, order, coarsest_step   its name in files, its order, the largest step (s) that anyone would want
 //   caution                      what it does to the motion by nature, in a few words; of methods that do
-//   creates_energy, dissipates_energy   by nature, where nothing damps
+//   creates_energy, dissipates_energy   by nature, where nothing damps, or for all that its quadrature can tell
 //   automatic                    the share of the usual automatic step that suits it (1)
 //   solves                       whether it takes whole steps of its own (step), or is moved by the sweep (move)
 //   passes, stage_time, weight   force evaluations a step; of each, when in the step and its share in quadratures

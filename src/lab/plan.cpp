@@ -2,8 +2,8 @@
 
 #include "io/error.hpp"
 #include "io/text.hpp"
+#include "run/step_choice.hpp"
 #include "scene/file.hpp"
-#include "scene/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,10 +47,7 @@ Plan plan_for(const Scene& scene, double seconds, const std::string& given_secon
     flat.flag.start = Start::flat;
     const Simulation automatic(flat);
     const double steps = std::ceil(seconds / automatic.dt()), dt = seconds / steps;
-    if (constexpr double least = settings::dt_range.lowest; dt < least)
-        throw InputError("time.dt = \"auto\": " + std::string(name_of(scene.time.method)) + " needs steps of " +
-                         quantity(dt, "s") + " for these springs and masses, and " + quantity(least, "s") +
-                         " is the least; choose " + "semi-implicit-euler, softer springs or more drag");
+    check_automatic_step(scene.time.method, dt);
     return {0, std::llround(std::min(steps, 9e18)), dt, automatic.precision(), automatic.precision_remark()};
 }
 

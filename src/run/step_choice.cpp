@@ -3,6 +3,7 @@
 #include "io/error.hpp"
 #include "io/text.hpp"
 #include "scene/file.hpp"
+#include "scene/settings.hpp"
 
 #include "drapeau/precision.hpp"
 #include "drapeau/stability.hpp"
@@ -16,14 +17,26 @@ namespace drapeau {
 
 double chosen_step(const Scene& scene, const Model& model, bool exact, double lowered) {
     if (scene.time.dt) return exact ? *scene.time.dt : whole_steps_per_batch(*scene.time.dt);
-    if (!stable_step(scene.time.method, model).is_none())
-        return whole_steps_per_batch(
+    if (!stable_step(scene.time.method, model).is_none()) {
+        const double dt = whole_steps_per_batch(
             with_method(scene.time.method, [&](const auto& method) { return automatic_step(method, model, lowered); }));
+        if (lowered == 1.0) check_automatic_step(scene.time.method, dt);
+        return dt;
+    }
     const double wanted = whole_steps_per_batch(automatic_step(SemiImplicitEuler{}, model));
     throw InputError(
         fmt::format("time.dt = \"auto\": {} has no stable step without drag or friction; for a step of {} "
                     "their sum must exceed {:.3g} N·s/m, or choose semi-implicit-euler",
                     name_of(scene.time.method), quantity(wanted, "s"), damping_needed(model, wanted)));
+}
+
+void check_automatic_step(Method method, double dt) {
+    constexpr double least = settings::dt_range.lowest;
+    if (dt >= least) return;
+    throw InputError("time.dt = \"auto\": " + std::string(name_of(method)) + " needs steps of " + quantity(dt, "s") +
+                     " for these springs and masses, and " + quantity(least, "s") + " is the least; choose " +
+                     (method == method_id<SemiImplicitEuler> ? "" : "semi-implicit-euler, ") +
+                     "softer springs, heavier masses or less damping");
 }
 
 std::string limit_of_step(Method method, const Model& model) {

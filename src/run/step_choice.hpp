@@ -8,8 +8,12 @@
 namespace drapeau {
 
 /// The step a scene asks for, or a share of the largest that the closed bound allows, `lowered` further; a numeric one
-/// as given if `exact`, else a whole number of them in a batch. Throws InputError where the method has no stable step.
+/// as given if `exact`, else a whole number of them in a batch. Throws InputError where the method has no stable step,
+/// or needs shorter ones than any machine could follow.
 double chosen_step(const Scene& scene, const Model& model, bool exact, double lowered);
+
+/// Throws InputError where an automatic step of dt (s) is shorter than a scene's step may be.
+void check_automatic_step(Method method, double dt);
 
 /// What the usual automatic step is as large as: "stiffness of the springs", "1/60 s".
 std::string limit_of_step(Method method, const Model& model);

@@ -62,9 +62,13 @@ void Watch::look(Engine& engine, const Progress& now) {
     written_step_ = now.steps;
 }
 
+double Watch::unnatural() const {
+    const double made = ledger_.created_share();
+    return creates_ ? std::min(made, 0.0) : made;
+}
+
 bool Watch::warns() const {
-    return is_broken() || ledger_.energy_share() > energy_to_warn ||
-           std::abs(ledger_.created_share()) > created_to_warn;
+    return is_broken() || ledger_.energy_share() > energy_to_warn || std::abs(unnatural()) > created_to_warn;
 }
 
 double Watch::rounding_energy(const Engine& engine, long long steps) const {
@@ -106,7 +110,7 @@ void Watch::write(Engine& engine, const Progress& now) {
     Estimate made{energy_ + potential_ - before - work.value, work.variance};
     if (made.value < 0.0 && !dissipates_) made = {};  // dampers that were missed
     ledger_.add(now.time(), energy_, potential_, came_in, made, rounding);
-    if (std::abs(ledger_.created_share()) > created_when_calm) last_unrest_ = now.time();
+    if (std::abs(unnatural()) > created_when_calm) last_unrest_ = now.time();
 }
 
 void Watch::begin_batch(Engine& engine, const Progress& now) {

@@ -139,9 +139,15 @@ bool changes_motion(Method method) {
     return with_method(method, [](const auto& m) { return std::decay_t<decltype(m)>::solves; });
 }
 
+/// Steps longer than the fastest gusts leap over them: what wind does in between is not known.
+bool sees_gusts(const Model& model, double dt) {
+    const Wind* wind = model.terms.get<Wind>() ? &*model.terms.get<Wind>() : nullptr;
+    return !wind || wind->gusts == glm::dvec3(0.0) || dt < 0.25 * wind->period;
+}
+
 /// Whether a good run may not be called diverged. Past the limit nothing is promised; rk4 loses energy well below it.
 bool is_promised(Method method, const Model& model, double dt) {
-    if (changes_motion(method)) return false;
+    if (changes_motion(method) || !sees_gusts(model, dt)) return false;
     const auto limit = stable_step(method, model);
     return limit.allows(method == method_id<Rk4> ? 2.0 * dt : dt) && is_smooth(method, model, dt);
 }
