@@ -3,6 +3,8 @@
 #include "physics_reference.hpp"
 #include "physics_sheet.hpp"
 
+#include <complex>
+
 using namespace drapeau;
 using namespace drapeau::testing;
 
@@ -57,6 +59,65 @@ TEMPLATE_LIST_TEST_CASE("A mode's energy grows or shrinks by the method's own fa
         INFO("omega dt = " << y);
         CHECK(worst < 2000.0 / (1.0 - y * y / 4.0) * epsilon<double> * first);
     }
+}
+
+TEMPLATE_LIST_TEST_CASE("A damped mode's amplitude is multiplied by the method's own factor a step", "[physics]",
+                        ClosedFormDouble) {
+    // The motion of two roots r+ and r- has x_{n+1} x_{n-1} - x_n^2 multiplied by r+ r- a step, the square of the
+    // amplitude's factor, whatever its phase. With a = (omega dt)^2 and b = beta dt: forward Euler 1 - b + a,
+    // semi-implicit Euler 1 - b, leapfrog under drag (1 - b/2)/(1 + b/2), implicit Euler and XPBD 1/(1 + a + b),
+    // Runge-Kutta |R(z)|^2. So forward Euler swings as if its damper were c - k dt, implicit Euler c + k dt.
+    using Method = typename TestType::Method;
+    const double m = 0.01, k = 100.0, omega = 100.0;
+    for (const double y : {0.1, 0.5, 1.0})
+        for (const double zeta : {0.0, 0.05, 0.3})
+            for (const bool drag : {false, true}) {
+                if (std::is_same_v<Method, Leapfrog> && !drag) continue;  // three roots
+                const double dt = y / omega, a = y * y, b = 2.0 * zeta * y, c = 2.0 * zeta * omega * m;
+                double factor = 1.0 - b;
+                if (std::is_same_v<Method, ForwardEuler>) factor = 1.0 - b + a;
+                if (std::is_same_v<Method, Leapfrog>) factor = (1.0 - 0.5 * b) / (1.0 + 0.5 * b);
+                if (Method::solves) factor = 1.0 / (1.0 + a + b);
+                if (std::is_same_v<Method, Rk4>) {
+                    const std::complex<double> z = y * std::complex<double>{-zeta, std::sqrt(1.0 - zeta * zeta)};
+                    factor = std::norm(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))));
+                }
+                Springs springs{m, k, {}, {}};
+                if (!drag) springs.damping = c;
+                Sheet<double, Method> mass(
+                    Model(spread(2, 1, 2.0, 1.0), springs, Attach::hoist, Terms().add(AirDrag{drag ? c : 0.0})),
+                    displaced, Points(2, glm::dvec3(0.0)));
+                std::vector<double> x{0.01};
+                for (int n = 0; n < 12; ++n) {
+                    mass.advance(dt, 1);
+                    x.push_back(mass.positions()[1].x - 2.0);
+                }
+                INFO("omega dt " << y << ", zeta " << zeta << ", drag " << drag);
+                double size = 1e-4;
+                for (int n = 2; n + 1 < 12; ++n) {
+                    const double before = x[n] * x[n - 2] - x[n - 1] * x[n - 1];
+                    const double now = x[n + 1] * x[n - 1] - x[n] * x[n];
+                    // Swings of 0.01 m (forward Euler's grow to 0.6 m) are known to a few eps of 2 m.
+                    for (const double one : x) size = std::max(size, one * one);
+                    CHECK(std::abs(now - factor * before) < 100.0 * std::sqrt(size) * 2.0 * epsilon<double>);
+                }
+            }
+}
+
+TEST_CASE("Forward Euler's energy grows 4.9e9 times in a hundred steps of half a radian, Runge-Kutta's hardly falls",
+          "[physics]") {
+    const auto kept = []<class Method>(Method, double swing, double omega_dt, int steps) {
+        Sheet<double, Method> mass(oscillator(), {{0, 0, 0}, {2.0 + swing, 0, 0}}, Points(2, glm::dvec3(0.0)));
+        const double before = mass.measure().total();
+        mass.advance(omega_dt / 100.0, steps);
+        return mass.measure().total() / before;
+    };
+    CHECK(kept(ForwardEuler{}, 1e-5, 0.5, 100) == Approx(std::pow(1.25, 100)).epsilon(1e-8));  // 0.7 m in the end
+    CHECK(std::pow(1.25, 100) == Approx(4.9e9).epsilon(0.01));
+    // A swing of 1 Hz at 1/60 s keeps 0.9999995 of its amplitude a period.
+    const double period = std::sqrt(kept(Rk4{}, 0.01, 2.0 * 3.141592653589793 / 60.0, 60));
+    CHECK(1.0 - period == Approx(5e-7).epsilon(0.15));
+    CHECK(std::log(period) / 60.0 == Approx(-std::pow(2.0 * 3.141592653589793 / 60.0, 6) / 144.0).epsilon(0.01));
 }
 
 TEMPLATE_LIST_TEST_CASE("Without damping a staggered method's energy is constant on a swinging sheet of one mode",

@@ -91,6 +91,29 @@ TEST_CASE("The limit here and now is never below the closed bound", "[physics]")
     }
 }
 
+TEST_CASE("A flat sheet of light borders swings fastest at 4(k + kd)/m and little more, a single cell at (4k + 8kd)/m",
+          "[physics]") {
+    // The endless lattice's fastest wave has 4(k + kd); free corners, a quarter as heavy, are a little faster; one cell
+    // on its own has 4k + 8kd, where kd >= k/2 the most that any sheet made of such cells can have.
+    const auto fastest = [](int cells, double kd, double longer) {  // m omega^2 where k = 1 N/m
+        const Model model({cells + 1, cells + 1, 0.1, 0.1}, {1.0, 1.0, kd, {}}, Attach::none, {}, {}, Borders::light);
+        auto x = scattered(model.grid, 0.0);
+        for (auto& p : x) p *= longer;
+        Sheet<double, SemiImplicitEuler> sheet(model, x, at_rest(model));
+        FastestMode<double> mode;
+        return mode.look(sheet.stepper, 2.0, 2.0, 0.1, 2000).stiffness;
+    };
+    for (const double kd : {1.0, 0.5, 0.1}) {
+        CHECK(fastest(1, kd, 1.0) == Approx(4.0 + 8.0 * kd).epsilon(1e-6));
+        CHECK(fastest(11, kd, 1.0) > 4.0 * (1.0 + kd) * (1.0 - 0.02));
+        CHECK(fastest(11, kd, 1.0) < 4.0 * (1.0 + kd) * (1.0 + 0.06));
+    }
+    // What an independent program found for kd = k
+    CHECK(fastest(2, 1.0, 1.0) == Approx(8.96).margin(0.005));
+    CHECK(fastest(11, 1.0, 1.0) == Approx(8.41).margin(0.005));
+    CHECK(fastest(11, 1.0, 1.1) == Approx(8.66).margin(0.01));
+}
+
 TEMPLATE_LIST_TEST_CASE("Past its limit a method multiplies a mode as it says, and at the limit it begins to",
                         "[physics]", DoubleCases) {
     using Method = typename TestType::Method;

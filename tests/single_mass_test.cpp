@@ -1,8 +1,7 @@
 // One mass: on a spring, in the wind, falling. Everything here has a closed form, of the equation and of the method.
 #include "catch.hpp"
+#include "closed_forms.hpp"
 #include "physics_sheet.hpp"
-
-#include <complex>
 
 using namespace drapeau;
 using namespace drapeau::testing;
@@ -27,56 +26,6 @@ struct Displaced : Sheet<Real, Method> {
 double damped_oscillation(double m, double k, double c, double x0, double t) {
     const double gamma = c / (2.0 * m), omega = std::sqrt(k / m - gamma * gamma);
     return std::exp(-gamma * t) * x0 * (std::cos(omega * t) + gamma / omega * std::sin(omega * t));
-}
-
-/// x_n of x_{n+1} = T x_n - D x_{n-1}: D^(n/2) (x0 cos(n theta) + B sin(n theta)).
-double recurrence(double T, double D, double x0, double x1, int n) {
-    const double mu = std::sqrt(D), cosine = T / (2.0 * mu), theta = std::acos(cosine);
-    const double B = (x1 / mu - x0 * cosine) / std::sin(theta);
-    return std::pow(mu, n) * (x0 * std::cos(n * theta) + B * std::sin(n * theta));
-}
-/// One-step methods multiply each of the two solutions exp(s t) by R(s dt) a step.
-template <class Factor>
-double multiplied(double m, double k, double c, double x0, double dt, int n, Factor&& R) {
-    const double gamma = c / (2.0 * m), omega = std::sqrt(k / m - gamma * gamma);
-    const std::complex<double> s{-gamma, omega}, share{0.5 * x0, -0.5 * gamma * x0 / omega};
-    return 2.0 * (share * std::pow(R(s * dt), n)).real();
-}
-
-/// A method's own motion of an oscillator released at x0 after n steps, in closed form, with a = k dt^2/m and
-/// b = c dt/m. `drag`: whether c brakes the mass instead of the spring, which makes a difference to leapfrog only.
-double motion(ForwardEuler, double m, double k, double c, bool, double x0, double dt, int n) {
-    return multiplied(m, k, c, x0, dt, n, [](std::complex<double> z) { return 1.0 + z; });
-}
-double motion(Rk4, double m, double k, double c, bool, double x0, double dt, int n) {
-    return multiplied(m, k, c, x0, dt, n, [](std::complex<double> z) {
-        return 1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)));
-    });
-}
-double motion(SemiImplicitEuler, double m, double k, double c, bool, double x0, double dt, int n) {
-    const double a = k * dt * dt / m, b = c * dt / m;
-    return recurrence(2.0 - a - b, 1.0 - b, x0, (1.0 - a) * x0, n);
-}
-double motion(Leapfrog, double m, double k, double c, bool drag, double x0, double dt, int n) {
-    const double a = k * dt * dt / m, b = c * dt / m;
-    // Centred: (1 + b/2) x_{n+1} = (2 - a) x_n - (1 - b/2) x_{n-1}, started with the velocity zero at x0.
-    if (drag || c == 0.0)
-        return recurrence((2.0 - a) / (1.0 + 0.5 * b), (1.0 - 0.5 * b) / (1.0 + 0.5 * b), x0, (1.0 - 0.5 * a) * x0, n);
-    // The damper sees v_{n-1/2} + dt/2 a_{n-1}: a third root; the recurrence is run as it stands. `u`: dt v.
-    double x = x0, u = 0.5 * a * x0, seen = 0.0;
-    for (; n > 0; --n) {
-        const double kick = -a * x - b * seen;
-        u += kick, x += u, seen = u + 0.5 * kick;
-    }
-    return x;
-}
-
-double motion(ImplicitEuler, double m, double k, double c, bool, double x0, double dt, int n) {
-    return multiplied(m, k, c, x0, dt, n, [](std::complex<double> z) { return 1.0 / (1.0 - z); });
-}
-/// One spring that moves one mass is solved by one correction.
-double motion(Xpbd, double m, double k, double c, bool drag, double x0, double dt, int n) {
-    return motion(ImplicitEuler{}, m, k, c, drag, x0, dt, n);
 }
 
 const glm::dvec3 terminal{6.0, 0.0, -4.905};
@@ -155,18 +104,27 @@ TEST_CASE("Semi-implicit Euler conserves its shadow energy, and the plain energy
     const double m = 0.01, k = 100.0, dt = 0.005;  // omega dt = 0.5
     Displaced<double, SemiImplicitEuler> mass(oscillator(m, k, {}), 1.0);
     const double initial = 0.5 * k;
-    double lowest = 1e9, highest = 0.0, drift = 0.0;
+    double lowest = 1e9, highest = 0.0, drift = 0.0, lowest_now = 1e9, highest_now = 0.0;
     for (int n = 0; n < 2000; ++n) {
         mass.advance(dt, 1);
         const double x = mass.x(), v = mass.stored_velocities()[1].x;
         const double energy = 0.5 * m * v * v + 0.5 * k * x * x;
         drift = std::max(drift, std::abs(energy - 0.5 * dt * k * x * v - initial) / initial);
         lowest = std::min(lowest, energy / initial), highest = std::max(highest, energy / initial);
+        const double v_now = v - 0.5 * dt * k / m * x;  // half a kick further: at the position's time
+        const double energy_now = 0.5 * m * v_now * v_now + 0.5 * k * x * x;
+        lowest_now = std::min(lowest_now, energy_now / initial),
+        highest_now = std::max(highest_now, energy_now / initial);
     }
-    CHECK(drift < 2000 * 8 * epsilon<double>);  // 2000 steps, each a few roundings of numbers up to 4 times 1 m
+    // 2000 steps, each a few roundings of a length of up to 3.2 m by eps/2, which add up like a random walk: 2000^(1/2)
+    // times 4 eps.
+    CHECK(drift < 45 * 4 * epsilon<double>);
     // Extremes H/I = 1/(1 +- omega dt/2); a thousand phases come within 1e-3 of them.
     CHECK(lowest == Approx(0.8).epsilon(1e-3));
     CHECK(highest == Approx(4.0 / 3.0).epsilon(1e-3));
+    // With I = H - (dt/2)^2 k^2 x^2/2m: from 1 where x = 0 to 1/(1 - (omega dt/2)^2) where v = 0.
+    CHECK(lowest_now == Approx(1.0).epsilon(1e-3));
+    CHECK(highest_now == Approx(1.0 / (1.0 - 0.0625)).epsilon(1e-3));
 }
 
 TEMPLATE_LIST_TEST_CASE("A mass in wind follows the method's closed form", "[physics]", ClosedFormCases) {
@@ -216,6 +174,33 @@ TEMPLATE_LIST_TEST_CASE("The terminal velocity is a fixed point of every method"
     // times as often: by dt to a displacement and back to a velocity.
     const double roundings = std::is_same_v<typename TestType::Method, Xpbd> ? 3.0 : 1.0;
     CHECK(length(mass.velocities()[1] - terminal) < roundings * 30 * 8.0 * epsilon<Real>);
+}
+
+TEMPLATE_LIST_TEST_CASE("Drag settles a velocity by the method's own factor a step, up to its limit", "[physics]",
+                        ClosedFormDouble) {
+    // What is left of v - v_t a step, with b = d dt/m: 1 - b of forward and semi-implicit Euler, (1 - b/2)/(1 + b/2) of
+    // leapfrog, 1/(1 + b) of methods that solve, the series of exp(-b) of Runge-Kutta.
+    using Method = typename TestType::Method;
+    constexpr bool centred = std::is_same_v<Method, Leapfrog>, series = std::is_same_v<Method, Rk4>;
+    for (const double b : {0.5, 0.99, 1.01, 1.9, 1.99, 2.01, 2.1, 2.7, 2.78, 2.79, 3.0, 10.0}) {
+        double left = 1.0 - b;
+        if (centred) left = (1.0 - 0.5 * b) / (1.0 + 0.5 * b);
+        if (Method::solves) left = 1.0 / (1.0 + b);
+        if (series) left = 1.0 - b * (1.0 - b / 2.0 * (1.0 - b / 3.0 * (1.0 - b / 4.0)));
+        const double limit = series ? 2.7853 : Method::solves || centred ? INFINITY : 2.0;
+        CHECK((std::abs(left) < 1.0) == (b < limit));  // the table of limits' real axis
+        const Model model =
+            oscillator(0.01, 0.0, {}, Terms().add(AirDrag{0.02}).add(Wind{.velocity = {6.0, 0.0, 0.0}}));
+        Sheet<double, Method> mass(model, Points(2, glm::dvec3(0.0)), {{}, {1.0, 0.0, 0.0}});
+        double before = 1.0 - 6.0;
+        for (int n = 0; n < 10; ++n) {
+            mass.advance(b * 0.01 / 0.02, 1);
+            const double now = mass.velocities()[1].x - 6.0;
+            INFO("d dt/m " << b << ", step " << n);
+            CHECK(std::abs(now - left * before) < 16.0 * (6.0 + std::abs(now)) * (1.0 + b) * epsilon<double>);
+            before = now;
+        }
+    }
 }
 
 TEMPLATE_LIST_TEST_CASE("Friction on the mass slows it as drag in still air does", "[physics]", AllCases) {
