@@ -353,3 +353,14 @@ TEST_CASE("A long quiet run adds up no false alarm", "[physics][ledger]") {
         CHECK(std::abs(simulation.readings().created_share) < 0.1);
     }
 }
+
+TEST_CASE("What was created once does not keep a flag restless for ever", "[ledger]") {
+    // 5 % of all there is in the first half second, nothing after: of the whole run it stays, of the last second not.
+    Ledger ledger;
+    ledger.open(0.0, 1.0, 0.0);
+    ledger.add(0.5, 1.05, 0.0, {}, {0.05, 0.0}, 0.0);
+    CHECK(ledger.created_lately() == Approx(0.05 / 1.05));
+    for (const double now : {1.0, 1.5, 2.0, 2.5}) ledger.add(now, 1.05, 0.0, {}, {}, 0.0);
+    CHECK(ledger.created_share() == Approx(0.05 / 1.05));
+    CHECK(ledger.created_lately() == 0.0);
+}

@@ -98,6 +98,12 @@ struct Ledger {
     /// Created energy (lost, if negative) over all that there could be: since the ledger was opened or in the last
     /// second, the greater. What is in doubt is left out, or not.
     double created_share(bool in_doubt = true) const {
+        const double all = share(in_doubt ? certain(created) : created.value, scale(in_doubt));
+        const double last = created_lately(in_doubt);
+        return std::abs(last) > std::abs(all) ? last : all;
+    }
+    /// The same in the last second.
+    double created_lately(bool in_doubt = true) const {
         const auto& then = looks_.front();
         const Estimate lately{created.value - then.created.value, created.variance - then.created.variance};
         double lowest = then.potential;
@@ -105,9 +111,7 @@ struct Ledger {
         const double doubt = in_doubt ? external.doubt() - then.external.doubt() : 0.0;
         const double came_in = external.value - then.external.value + doubt + then.potential - lowest;
         const double here = std::max(then.energy + came_in, energy) + rounding - then.rounding;
-        const double all = share(in_doubt ? certain(created) : created.value, scale(in_doubt));
-        const double last = share(in_doubt ? certain(lately) : lately.value, here);
-        return std::abs(last) > std::abs(all) ? last : all;
+        return share(in_doubt ? certain(lately) : lately.value, here);
     }
     /// Energy over all that was there or came in.
     double energy_share(bool in_doubt = true) const { return share(energy, brought(in_doubt) + rounding); }

@@ -62,13 +62,12 @@ void Watch::look(Engine& engine, const Progress& now) {
     written_step_ = now.steps;
 }
 
-double Watch::unnatural() const {
-    const double made = ledger_.created_share();
+double Watch::unnatural(double made) const {
     return creates_ ? std::min(made, 0.0) : made;
 }
 
 bool Watch::warns() const {
-    return is_broken() || ledger_.energy_share() > energy_to_warn || std::abs(unnatural()) > created_to_warn;
+    return is_broken() || ledger_.energy_share() > energy_to_warn || std::abs(unnatural(ledger_.created_share())) > created_to_warn;
 }
 
 double Watch::rounding_energy(const Engine& engine, long long steps) const {
@@ -110,7 +109,7 @@ void Watch::write(Engine& engine, const Progress& now) {
     Estimate made{energy_ + potential_ - before - work.value, work.variance};
     if (made.value < 0.0 && !dissipates_) made = {};  // dampers that were missed
     ledger_.add(now.time(), energy_, potential_, came_in, made, rounding);
-    if (std::abs(unnatural()) > created_when_calm) last_unrest_ = now.time();
+    if (std::abs(unnatural(ledger_.created_lately())) > created_when_calm) last_unrest_ = now.time();
 }
 
 void Watch::begin_batch(Engine& engine, const Progress& now) {

@@ -92,8 +92,8 @@ private:
     long long in_window() const { return number_ % (window_ * group_); }
     void take_in(double now, double dt);
     const Saved* newest() const;
-    /// Created energy, but for what the method creates by nature, over all that there could be.
-    double unnatural() const;
+    /// Of a share created, what the method does not create by nature.
+    double unnatural(double made) const;
     double counted_so_far(const Progress& now) const;
     void look(Engine& engine, const Progress& now);
     void write(Engine& engine, const Progress& now);
