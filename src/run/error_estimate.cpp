@@ -192,7 +192,7 @@ std::string ErrorEstimate::reason() const {
         case Verdict::coarse:
             return "step too coarse";
         case Verdict::chaos:
-            return "chaotic motion";
+            return "chaos or a coarse step";
         case Verdict::rounding:
             return by_rounding > 0.0 ? "float rounding" : "below rounding";
         case Verdict::limit:
@@ -214,7 +214,7 @@ std::string ErrorEstimate::explanation() const {
         case Verdict::coarse:
             return "the step is too coarse: halving it does not shrink the error as the method's order says";
         case Verdict::chaos:
-            return "the motion is chaotic: with half the step it leads elsewhere";
+            return "half the step leads elsewhere: the motion is chaotic, or the step far too coarse for it";
         case Verdict::rounding:
             return by_rounding > 0.0 ? "float rounding hides the error of the step; it moves masses by " +
                                            mm_per_s(by_rounding) + " itself"

@@ -4,6 +4,7 @@
 #include "io/text.hpp"
 #include "run/method_remark.hpp"
 #include "run/simulation_run.hpp"
+#include "scene/file.hpp"
 
 #include <fmt/format.h>
 
@@ -39,6 +40,10 @@ std::string Simulation::limit_remark() const {
 }
 
 std::string Simulation::method_remark() const {
+    const Solves& solves = run_->solves;
+    if (2 * solves.unsolved > solves.steps)
+        return fmt::format("{} left {} of {} steps unsolved, so forces and stretch mean little: choose smaller steps",
+                           name_of(run_->scene.time.method), solves.unsolved, solves.steps);
     return drapeau::method_remark(run_->scene.time.method, model(), dt());
 }
 
@@ -59,7 +64,12 @@ std::string Simulation::step_reason() const {
         return fmt::format("limit: {}{:.3g} mm/s asked", measured, 1e3 * *run.scene.time.tolerance);
     }
     if (run.lowered < 1.0) return "limit: energy was being created";
-    return "limit: " + limit_of_step(run.scene.time.method, run.engine->model());
+    const std::string limit = "limit: " + limit_of_step(run.scene.time.method, run.engine->model());
+    const auto tolerance = run.scene.time.tolerance;
+    if (!tolerance || !run.error || !run.error->resolved() || run.error->rate <= *tolerance) return limit;
+    // The step follows in a second or two.
+    return fmt::format("{}; {} of {:.3g} mm/s asked by now", limit, rounded(1e3 * run.error->rate, 2),
+                       1e3 * *tolerance);
 }
 
 std::string Simulation::precision_remark() const {

@@ -67,7 +67,8 @@ double Watch::unnatural(double made) const {
 }
 
 bool Watch::warns() const {
-    return is_broken() || ledger_.energy_share() > energy_to_warn || std::abs(unnatural(ledger_.created_share())) > created_to_warn;
+    return is_broken() || ledger_.energy_share() > energy_to_warn ||
+           std::abs(unnatural(ledger_.created_share())) > created_to_warn;
 }
 
 double Watch::rounding_energy(const Engine& engine, long long steps) const {

@@ -115,7 +115,7 @@ void show_stability(const Status& s, Widgets& widgets) {
                         "damping, or another method, helps.",
                         mood == calm ? close : mood);
     } else {
-        widgets.reading("Stability", "any step is stable" + energy, tip, mood);
+        widgets.reading("Stability", "no limit" + energy, tip, mood);
     }
 }
 

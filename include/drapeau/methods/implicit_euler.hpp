@@ -50,10 +50,10 @@ private:
     // Newton ends when a correction is this share of what the step changes; what is left after it is far less. Where
     // the cloth buckles it only creeps: then the larger share will do, far below the method's own error at such steps.
     static constexpr double smallest_correction = 1e-3, creeping_correction = 3e-2;
-    static constexpr int most_corrections = 12, most_halvings = 4;
+    static constexpr int most_corrections = 60, most_halvings = 8;
     // Each linear solve makes its residual so much smaller.
     static constexpr double linear_share = 0.03;
-    static constexpr int most_iterations = 300, most_in_all = 1500;
+    static constexpr int most_iterations = 600, most_in_all = 5000;
 
     template <class V, bool damped, bool diagonals>
     class Solver {
