@@ -4,6 +4,8 @@
 // types (GCC and clang: arithmetic on them is ordinary C++, no intrinsics). Lanes<V> says how V meets memory.
 #pragma once
 
+#include "drapeau/isa.hpp"
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -46,6 +48,15 @@ struct VectorOf {
 /// The widest vector of Real that this translation unit is compiled for.
 template <class Real, std::size_t bytes = register_bytes>
 using Vector = typename VectorOf<Real, bytes>::type;
+
+/// Three components, each a lane value: what a kernel computes with.
+template <class V>
+struct Vec3 {
+    V x, y, z;
+};
+
+// Where they are not inlined, these are symbols, and registers are returned in another way for another instruction set.
+inline namespace DRAPEAU_ISA {
 
 template <class V>
 struct Lanes {
@@ -139,12 +150,6 @@ DRAPEAU_INLINE V inverse_sqrt(V s) {
     }
 }
 
-/// Three components, each a lane value: what a kernel computes with.
-template <class V>
-struct Vec3 {
-    V x, y, z;
-};
-
 template <class V>
 DRAPEAU_INLINE Vec3<V> operator+(const Vec3<V>& a, const Vec3<V>& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
@@ -167,4 +172,5 @@ DRAPEAU_INLINE V dot(const Vec3<V>& a, const Vec3<V>& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+}  // namespace DRAPEAU_ISA
 }  // namespace drapeau
