@@ -1,89 +1,25 @@
 // Laws of the laboratory's command line, seen as a user sees them: arguments, outputs, exit status.
-#include "catch.hpp"
+#include "lab_bench.hpp"
 
 #include "scene/file.hpp"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <random>
 #include <sstream>
 #include <map>
 #include <string>
 #include <vector>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 using namespace drapeau;
-namespace fs = std::filesystem;
+using namespace drapeau::testing;
 
 namespace {
-
-const fs::path lab = fs::read_symlink("/proc/self/exe").parent_path() / "drapeau-lab";
-
-std::string contents(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-struct Outcome {
-    int status = -1;
-    std::string output;    // standard output
-    std::string messages;  // standard error
-};
-
-/// A folder of its own in which the laboratory runs.
-struct Bench {
-    fs::path path = fs::temp_directory_path() / ("drapeau-lab-" + std::to_string(std::random_device{}()));
-    Bench() { fs::create_directories(path); }
-    ~Bench() { fs::remove_all(path); }
-
-    void write(const std::string& name, const std::string& text) const { std::ofstream(path / name) << text; }
-
-    Outcome run(const std::string& arguments, const std::string& under = "timeout 60 ") const {
-        const std::string command =
-            "cd '" + path.string() + "' && " + under + "'" + lab.string() + "' " + arguments + " 2>.messages";
-        Outcome outcome;
-        std::FILE* pipe = popen(command.c_str(), "r");
-        std::array<char, 4096> block;
-        for (std::size_t n; (n = std::fread(block.data(), 1, block.size(), pipe)) > 0;)
-            outcome.output.append(block.data(), n);
-        outcome.status = WEXITSTATUS(pclose(pipe));
-        outcome.messages = contents(path / ".messages");
-        fs::remove(path / ".messages");
-        return outcome;
-    }
-
-    std::vector<std::string> files() const {
-        std::vector<std::string> names;
-        for (const auto& entry : fs::directory_iterator(path)) names.push_back(entry.path().filename().string());
-        std::sort(names.begin(), names.end());
-        return names;
-    }
-};
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-/// Bad input as it should be: status 2, one line on standard error that says this, nothing on standard output.
-void check_refused(const Outcome& outcome, const std::string& part) {
-    INFO("status " << outcome.status << ", messages: " << outcome.messages);
-    CHECK(outcome.status == 2);
-    CHECK(outcome.output.empty());
-    CHECK(outcome.messages.starts_with("drapeau-lab: "));
-    CHECK(std::count(outcome.messages.begin(), outcome.messages.end(), '\n') == 1);
-    CHECK(has(outcome.messages, part));
-}
 
 struct StateLine {
     int column, row;

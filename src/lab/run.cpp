@@ -4,7 +4,9 @@
 #include "io/terminal.hpp"
 #include "io/text.hpp"
 #include "io/text_file.hpp"
+#include "outputs.hpp"
 #include "plan.hpp"
+#include "clocks.hpp"
 #include "progress.hpp"
 #include "results.hpp"
 #include "run_results.hpp"
@@ -20,19 +22,12 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <optional>
 #include <vector>
 
 namespace drapeau::lab {
 
 namespace {
-
-double processor_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// Nothing to simulate is fine: it gives the start. Anything else takes at least the shortest step.
 double seconds_option(const std::string& text) {
@@ -131,13 +126,8 @@ void write_state(const std::string& file, const Simulation& simulation) {
     });
 }
 
-/// The files to write, each with its option.
 std::vector<NamedFile> outputs_of(const RunOptions& options) {
-    std::vector<NamedFile> outputs;
-    for (const NamedFile& output :
-         {NamedFile{"--state", options.state}, {"--json", options.json}, {"--csv", options.csv}})
-        if (!output.name.empty()) outputs.push_back(output);
-    return outputs;
+    return asked_for({{"--state", options.state}, {"--json", options.json}, {"--csv", options.csv}});
 }
 
 void write_results(const RunOptions& options, const std::vector<Result>& results) {
@@ -147,13 +137,6 @@ void write_results(const RunOptions& options, const std::vector<Result>& results
     if (!options.csv.empty()) {
         write_text_file(options.csv, [&](const Append& append) { append(as_csv(results)); });
     }
-}
-
-/// The table goes to standard output, unless a file asked for goes there.
-std::FILE* place_of_table(const RunOptions& options) {
-    for (const NamedFile& output : outputs_of(options))
-        if (is_same_file("/dev/stdout", output.name)) return stderr;
-    return stdout;
 }
 
 }  // namespace
@@ -191,7 +174,7 @@ int run(const RunOptions& options) {
         return exit_diverged;
     }
     if (!options.state.empty()) write_state(options.state, simulation);
-    std::fputs(as_table(results).c_str(), place_of_table(options));
+    std::fputs(as_table(results).c_str(), place_of_table(outputs_of(options)));
     return exit_good;
 }
 

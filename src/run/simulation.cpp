@@ -46,8 +46,8 @@ const Model& Simulation::model() const {
     return run_->engine->model();
 }
 
-void Simulation::put(const State<double>& state) {
-    run_->put(state);
+void Simulation::put(const State<double>& state, std::optional<double> time) {
+    run_->put(state, time.value_or(run_->now.time()));
 }
 
 void Simulation::change(const Scene& scene, const std::atomic<bool>* abandon) {

@@ -64,9 +64,9 @@ public:
     const Scene& scene() const;
     const Model& model() const;
 
-    /// Goes on from these masses instead, wherever they are; held ones stay where they are put. Throws InputError where
-    /// float leaves nothing of a given step there.
-    void put(const State<double>& state);
+    /// Goes on from these masses instead, wherever they are; held ones stay where they are put. The time becomes
+    /// `time` (s), or stays what it is. Throws InputError where float leaves nothing of a given step there.
+    void put(const State<double>& state, std::optional<double> time = {});
 
     /// Takes new settings over between batches; position, velocity and time go on. Strengths are refilled in place; a
     /// new grid or size is interpolated in the flag's own coordinates. Throws InputError and changes nothing if the

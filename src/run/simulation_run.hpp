@@ -66,15 +66,15 @@ struct Simulation::Run {
         readings_batches = max_batches;
     }
 
-    /// Other places and velocities.
-    void put(const State<double>& state) {
+    /// Other places and velocities, at a time (s).
+    void put(const State<double>& state, double time) {
         const double smallest = smallest_float_step(engine->reach(state.position.at(0, 0)), typical_speed_);
         if (precision == Precision::single_precision && !automatic())
             check_float_step(now.clock.dt, smallest, *scene.time.dt);
         engine->set(state);
         lowered = 1.0;
         if (automatic() && float_resolves_too_little()) use_precision(Precision::double_precision);
-        restart_clock(now.time(), now.steps);
+        restart_clock(time, now.steps);
     }
 
     /// Other strengths.

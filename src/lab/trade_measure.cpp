@@ -1,0 +1,125 @@
+#include "trade_measure.hpp"
+
+#include "io/error.hpp"
+#include "clocks.hpp"
+#include "run/carry_over.hpp"
+#include "run/simulation.hpp"
+
+#include "drapeau/stability.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drapeau::lab {
+
+namespace {
+
+/// A simulation at the stretch's beginning. How the scene itself starts takes time and does not matter.
+Simulation simulation_of(const TradePoint& point, const Ground& ground) {
+    Scene scene = point.scene_on(ground.variant);
+    scene.flag.start = Start::flat;
+    scene.flag.disturbance = 0.0;
+    Simulation simulation(scene);
+    simulation.put(ground.stretch.start, ground.stretch.time);
+    return simulation;
+}
+
+/// Evaluations of all forces so far. A product with the Hessian, which takes about as long, counts as one.
+long long evaluations_of(const Simulation& simulation, Method method, long long steps) {
+    return with_method(method, [&]<class M>(const M&) {
+        if constexpr (!M::solves) return M::passes * steps;
+        const Solves& solves = simulation.solves();
+        return steps + solves.linear_solves + solves.iterations;
+    });
+}
+
+bool is_finite(const Apart& apart) {
+    return std::isfinite(apart.at_end + apart.over_time + apart.energy);
+}
+
+}  // namespace
+
+bool Measured::is_below_resolution() const {
+    constexpr double resolved = 10.0;
+    return is_measured() && !(error_in_time.distance() >= resolved * known_to);
+}
+
+Measured measure_errors(const TradePoint& point, const Ground& ground, const Ground& scene,
+                        const std::function<bool()>& may_go_on) {
+    Measured measured;
+    measured.point = point;
+    const bool is_other = ground.variant.key != scene.variant.key;
+    const bool has_own = !ground.reference.by_rk4.positions.empty();
+    measured.known_to = (has_own ? ground : scene).reference.error();
+    measured.error.at_end = measured.error.over_time = measured.error.greatest = NAN;
+    measured.error.energy = measured.error.stretch = NAN;
+    measured.error_in_time = measured.error;
+    try {
+        Simulation simulation = simulation_of(point, ground);
+        const Tip tip = tip_of(ground.model);
+        Comparison in_time(ground.model, ground.reference.judge_of(point.method));
+        Comparison in_all(scene.model, scene.reference.judge_of(point.method));
+        std::vector<glm::dvec3> tips, tip_velocities;
+        const auto diverge = [&](double at, const std::string& how) {
+            measured.outcome = Measured::Outcome::diverged;
+            measured.diverged_at = at;
+            measured.remark = how;
+        };
+        std::optional<Divergence> divergence;
+        for (long long batch = 1; batch <= ground.stretch.batches && !divergence; ++batch) {
+            const double before = processor_seconds();
+            divergence = simulation.advance_batch();
+            measured.first_cost += processor_seconds() - before;
+            measured.force_evaluations = evaluations_of(simulation, point.method, batch * point.steps_a_batch);
+            if (divergence) break;
+            if (!may_go_on()) {
+                measured.remark = "stopped: it took longer than the budget allows";
+                return measured;
+            }
+            const State<double> state = simulation.state();
+            tips.push_back(state.position.at(tip.column, tip.row));
+            tip_velocities.push_back(state.velocity.at(tip.column, tip.row));
+            if (!ground.stretch.is_sample(batch)) continue;
+            const Reading reading = ground.yardstick->read(state, simulation.time());
+            if (has_own) in_time.take(state.position, reading);
+            if (is_other) in_all.take(carried_over(state, scene.variant.scene).position, reading);
+        }
+        if (!divergence) divergence = simulation.check();
+        if (divergence) {
+            diverge(divergence->time - ground.stretch.time, divergence->message);
+            return measured;
+        }
+        if (has_own) measured.error_in_time = in_time.result();
+        measured.error = is_other ? in_all.result() : measured.error_in_time;
+        if (!is_finite(measured.error)) {
+            diverge(ground.stretch.seconds(), "a value is not finite");
+            return measured;
+        }
+        measured.tip = statistics_of(tips, tip_velocities, batch_seconds);
+        measured.outcome = Measured::Outcome::measured;
+        measured.ms_per_second = 1e3 * measured.first_cost / ground.stretch.seconds();
+    } catch (const InputError& refused) {
+        measured.outcome = Measured::Outcome::refused;
+        measured.remark = refused.what();
+    }
+    return measured;
+}
+
+double measure_cost(const Measured& measured, const Ground& ground) {
+    constexpr double long_enough = 3e-3;  // s
+    constexpr int most_times = 200;
+    const int times = static_cast<int>(
+        std::clamp(std::ceil(long_enough / std::max(measured.first_cost, 1e-9)), 1.0, double(most_times)));
+    Simulation simulation = simulation_of(measured.point, ground);
+    simulation.advance_batch();  // warm
+    double seconds = 0.0;
+    for (int time = 0; time < times; ++time) {
+        simulation.put(ground.stretch.start, ground.stretch.time);
+        const double before = processor_seconds();
+        for (long long batch = 0; batch < ground.stretch.batches; ++batch) simulation.advance_batch();
+        seconds += processor_seconds() - before;
+    }
+    return 1e3 * seconds / (times * ground.stretch.seconds());
+}
+
+}  // namespace drapeau::lab

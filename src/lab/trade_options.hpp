@@ -1,0 +1,15 @@
+// Trade options: what the command line of trade says, as the numbers and lists it means.
+#pragma once
+
+#include "trade.hpp"
+#include "trade_sweep.hpp"
+
+namespace drapeau::lab {
+
+/// Throws InputError that names the option, its value and what is allowed.
+TradeRequest request_in(const TradeOptions& options);
+
+/// A distance with its unit, "1mm" or "0.5 mm", in m. Throws InputError.
+double distance_in(const std::string& option, const std::string& text);
+
+}  // namespace drapeau::lab

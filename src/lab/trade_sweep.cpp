@@ -1,0 +1,277 @@
+#include "trade_sweep.hpp"
+
+#include "io/error.hpp"
+#include "io/text.hpp"
+#include "clocks.hpp"
+#include "run/carry_over.hpp"
+#include "run/simulation.hpp"
+
+#include "drapeau/stability.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace drapeau::lab {
+
+namespace {
+
+constexpr double float_share = 0.6;      // of the time that double takes, about
+constexpr double for_references = 0.25;  // of the budget
+constexpr int least_flights = 8;         // of the coarsest reference, that any search takes
+
+/// How often a point is timed after its error was measured. What takes long needs no more: it is long enough to be
+/// steady.
+int rounds_for(double seconds) {
+    return seconds < 0.1 ? 5 : seconds < 0.5 ? 2 : 1;
+}
+double with_rounds(double seconds) {
+    constexpr double least = 4e-3;  // s, that a round lasts
+    return seconds + rounds_for(seconds) * std::max(seconds, least);
+}
+
+/// What one unit of step_cost takes here and now (s on the wall), in double, with rk4.
+double measured_unit(const Model& model) {
+    constexpr double long_enough = 0.02;  // s
+    const auto engine = make_engine(model, method_id<Rk4>, Precision::double_precision);
+    const double dt = std::min(0.1 * stable_step(Rk4{}, model).seconds(), batch_seconds);
+    const double began = wall_seconds();
+    long long done = 0;
+    for (long long steps = 1; wall_seconds() - began < long_enough; steps *= 2) {
+        Report report;
+        engine->advance({.dt = dt}, done, done + steps, no_step, report, nullptr);
+        done += steps;
+    }
+    return (wall_seconds() - began) / (static_cast<double>(done) * engine->step_cost());
+}
+
+/// Samples of a flight that are kept: more would take memory and tell no more.
+long long sampling(const Grid& grid, long long batches) {
+    constexpr double most_samples = 60.0, most_numbers = 3e6;
+    const double samples = std::clamp(most_numbers / (3.0 * static_cast<double>(grid.masses())), 2.0, most_samples);
+    return std::max(1LL, static_cast<long long>(std::ceil(static_cast<double>(batches) / samples)));
+}
+
+bool has_free_masses(const Model& model) {
+    for (int j = 0; j < model.grid.rows; ++j)
+        for (int i = 0; i < model.grid.columns; ++i)
+            if (!model.held(i, j)) return true;
+    return false;
+}
+
+/// The scene as its reference is flown: in double, by rk4, at its automatic step.
+Scene as_reference(Scene scene) {
+    scene.time.method = method_id<Rk4>;
+    scene.time.precision = Precision::double_precision;
+    scene.time.dt.reset();
+    scene.time.tolerance.reset();
+    return scene;
+}
+
+}  // namespace
+
+TradeSweep::TradeSweep(const TradeRequest& request)
+    : request_(request), variants_(variants_of(request.scene, request.choice)) {
+    began_ = wall_seconds();
+    points_ = points_of(variants_, request_.choice);
+    for (const Variant& variant : variants_) models_.push_back(model_of(variant.scene));
+    if (!has_free_masses(models_.front()))
+        throw InputError("flag.attach: every mass is held, so there is no motion to compare");
+    unit_ = measured_unit(models_.front());
+    if (const double least = least_seconds(); least > request_.budget)
+        throw InputError(
+            fmt::format("--budget: swinging in and the reference alone take about {} min, and {} min is allowed; allow "
+                        "more, or compare fewer "
+                        "--seconds",
+                        rounded(least / 60.0, 2), rounded(request_.budget / 60.0, 3)));
+    list_affordable();
+}
+
+double TradeSweep::elapsed() const {
+    return wall_seconds() - began_;
+}
+
+double TradeSweep::seconds_of(const TradePoint& point) const {
+    const double share = point.precision == Precision::double_precision ? 1.0 : float_share;
+    return share * unit_ * step_cost(models_[point.variant], point.method) * static_cast<double>(point.steps_a_batch) *
+           static_cast<double>(request_.batches);
+}
+
+/// What swinging in and the references take at least (s).
+double TradeSweep::least_seconds() const {
+    double least = 0.0;
+    for (const Model& model : models_) {
+        const double step = std::min(stable_step(Rk4{}, model).seconds(), batch_seconds);
+        const double a_second = unit_ * step_cost(model, method_id<Rk4>) / step;
+        if (&model == &models_.front()) least += 2.0 * a_second * request_.settle;
+        least += least_flights * 4.0 * a_second * static_cast<double>(request_.batches) * batch_seconds;
+    }
+    return least;
+}
+
+/// The references must fit into the budget, and then as many points as do, the cheapest first.
+void TradeSweep::list_affordable() {
+    const double least = least_seconds(), most = std::max(for_references * request_.budget, least);
+    // Two more to recommend a setting and to check it.
+    const double searches = static_cast<double>(variants_.size()) + (request_.tolerance ? 2.0 : 0.0);
+    reference_seconds_ = most / searches;
+    std::vector<std::size_t> order(points_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return seconds_of(points_[a]) < seconds_of(points_[b]); });
+    is_left_out_.assign(points_.size(), 0);
+    double spent = 0.0;
+    for (const std::size_t n : order) {
+        const double seconds = with_rounds(seconds_of(points_[n]));
+        is_left_out_[n] = spent + seconds > request_.budget - most;
+        if (!is_left_out_[n]) spent += seconds;
+    }
+    constexpr double usual_search = 20.0;  // of the least
+    estimate_ = std::min(request_.budget, spent + std::min(usual_search * least, most));
+}
+
+std::optional<std::string> TradeSweep::prepare(const Tick& tick) {
+    Simulation simulation(as_reference(request_.scene));
+    const auto batches = std::llround(request_.settle / batch_seconds);
+    for (long long batch = 0; batch < batches; ++batch) {
+        if (const auto divergence = simulation.advance_batch()) return divergence->message;
+        tick(std::min(0.99, elapsed() / estimate_));
+    }
+    if (const auto divergence = simulation.check()) return divergence->message;
+    const State<double> settled = simulation.state();
+    const double time = simulation.time();
+    find_horizon(settled, time, tick);
+    for (const Variant& variant : variants_) {
+        const bool is_scene = &variant == &variants_.front();
+        grounds_.push_back(
+            ground_of(variant, is_scene ? settled : carried_over(settled, variant.scene), time, 0.0, tick));
+    }
+    return {};
+}
+
+void TradeSweep::find_horizon(const State<double>& start, double time, const Tick& tick) {
+    constexpr double trusted = 0.5;  // of the horizon: half of the growth, in powers of ten
+    const Model& model = models_.front();
+    Yardstick yardstick(model);
+    growth_ = find_growth(model, stretch_of(model, start, time), yardstick,
+                          {0.0, reference_seconds_, [&] { tick(std::min(0.99, elapsed() / estimate_)); }});
+    if (request_.batches_are_given || !growth_.is_seen()) return;
+    const auto batches = std::max(1LL, static_cast<long long>(std::floor(trusted * horizon() / batch_seconds)));
+    if (batches >= request_.batches) return;
+    request_.batches = batches;
+    is_shortened_ = true;
+    list_affordable();
+}
+
+Stretch TradeSweep::stretch_of(const Model& model, const State<double>& start, double time) const {
+    return {start, time, request_.batches, sampling(model.grid, request_.batches)};
+}
+
+Ground TradeSweep::ground_of(const Variant& variant, const State<double>& start, double time, double enough,
+                             const Tick& tick) const {
+    Model model = model_of(variant.scene);
+    const Grid& grid = model.grid;
+    // In double rounding leaves no more of a position; statistics need no finer steps than those that hold.
+    const double size = std::hypot(grid.columns * grid.pitch_x, grid.rows * grid.pitch_y);
+    const double goal = is_beyond_horizon() ? INFINITY : std::max(1e-12 * size, enough);
+    Ground ground{variant, model, stretch_of(model, start, time), {}, std::make_unique<Yardstick>(model)};
+    ground.reference = find_reference(ground.model, ground.stretch, *ground.yardstick,
+                                      {goal, reference_seconds_, [&] { tick(std::min(0.99, elapsed() / estimate_)); }});
+    return ground;
+}
+
+double TradeSweep::horizon() const {
+    return growth_.horizon(request_.tolerance.value_or(1e-3));
+}
+bool TradeSweep::is_beyond_horizon() const {
+    return horizon() < static_cast<double>(request_.batches) * batch_seconds;
+}
+TipStatistics TradeSweep::reference_tip() const {
+    const Flight& flight = grounds_.front().reference.by_rk4;
+    return statistics_of(flight.tip, flight.tip_velocity, batch_seconds);
+}
+
+std::vector<Measured> TradeSweep::measure(const Tick& tick) {
+    std::vector<Measured> all;
+    for (const TradePoint& point : points_) all.emplace_back().point = point;
+    std::vector<std::size_t> order(points_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return seconds_of(points_[a]) < seconds_of(points_[b]); });
+
+    const double check = request_.tolerance ? 2.0 * reference_seconds_ : 0.0;
+    const double end = request_.budget - check;
+    const double begun = elapsed();
+    const auto tell = [&] {
+        const double all_of_it = std::clamp(estimate_, begun + 1e-3, request_.budget);
+        tick(std::min(0.99, elapsed() / all_of_it));
+    };
+    for (const std::size_t n : order) {
+        Measured& measured = all[n];
+        const double seconds = with_rounds(seconds_of(measured.point));
+        if (is_left_out_[n] || elapsed() + seconds > end) {
+            measured.remark = fmt::format("it takes about {}, more than --budget leaves", quantity(seconds, "s", 2));
+            continue;
+        }
+        measured = measure_errors(measured.point, grounds_[measured.point.variant], grounds_.front(), [&] {
+            tell();
+            return elapsed() < end;
+        });
+        tell();
+    }
+    for (int round = 0; round < rounds_for(0.0); ++round)
+        for (const std::size_t n : order) {
+            Measured& measured = all[n];
+            const bool wanted = measured.is_measured() && round < rounds_for(measured.first_cost);
+            if (!wanted || elapsed() + measured.first_cost > end) continue;
+            measured.ms_per_second =
+                std::min(measured.ms_per_second, measure_cost(measured, grounds_[measured.point.variant]));
+            tell();
+        }
+    return all;
+}
+
+/// The scene's ground from where it ends.
+Ground TradeSweep::after(const Ground& scene, const Tick& tick) const {
+    constexpr double finer = 300.0;  // than the tolerance: it is all that is asked for
+    return ground_of(scene.variant, scene.reference.by_rk4.end, scene.stretch.time + scene.stretch.seconds(),
+                     *request_.tolerance / finer, tick);
+}
+
+/// The point on a ground of the scene.
+Measured TradeSweep::judged(const TradePoint& point, const Ground& scene) const {
+    const auto always = [] { return true; };
+    if (point.variant == 0) return measure_errors(point, scene, scene, always);
+    const Variant& variant = variants_[point.variant];
+    const Model& model = models_[point.variant];
+    const Stretch& stretch = scene.stretch;
+    const Ground own{variant,
+                     model,
+                     {carried_over(stretch.start, variant.scene), stretch.time, stretch.batches, stretch.every},
+                     {},
+                     std::make_unique<Yardstick>(model)};
+    return measure_errors(point, own, scene, always);
+}
+
+Recommendation TradeSweep::recommend(const std::vector<Measured>& points, const Tick& tick) const {
+    Recommendation found;
+    const double tolerance = *request_.tolerance;
+    const std::vector<std::size_t> candidates = all_within(points, tolerance);
+    if (candidates.empty()) return found;
+    const Ground second = after(grounds_.front(), tick);
+    for (const std::size_t n : candidates) {
+        found.confirmed = judged(points[n].point, second);
+        tick(0.99);
+        if (meets(found.confirmed, tolerance)) {
+            found.place = n;
+            found.verified = judged(points[n].point, after(second, tick));
+            break;
+        }
+        found.rejected.push_back(std::move(found.confirmed));
+    }
+    return found;
+}
+
+}  // namespace drapeau::lab
