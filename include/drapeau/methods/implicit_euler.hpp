@@ -15,6 +15,7 @@
 
 #include "drapeau/advance.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -53,7 +54,12 @@ private:
     static constexpr int most_corrections = 60, most_halvings = 8;
     // Each linear solve makes its residual so much smaller.
     static constexpr double linear_share = 0.03;
-    static constexpr int most_iterations = 600, most_in_all = 5000;
+    static constexpr int most_iterations = 600;
+    /// Of a step in all: on grids of more than half a million masses nobody waits for as many as on others.
+    static constexpr long long most_in_all(long long masses) {
+        constexpr long long usual = 5000, least = 1500, most_work = 2'500'000'000;
+        return std::clamp(most_work / masses, least, usual);
+    }
 
     template <class V, bool damped, bool diagonals>
     class Solver {
@@ -83,6 +89,7 @@ private:
                 mass.set(end_velocity, v);
                 mass.set(end_position, mass.get(position) + dt_ * v);
             });
+            const long long most = most_in_all(static_cast<long long>(pass_.rows) * pass_.width);
             bool positive = false, solved = false, creeps = false;
             int corrections = 0;
             double last = INFINITY;
@@ -92,7 +99,7 @@ private:
                                    return L::load(constants.mass + mass.i) * dot(x, x);
                                }) /
                                mass_);
-            while (corrections < most_corrections && iterations_ < most_in_all && !solved && !creeps) {
+            while (corrections < most_corrections && iterations_ < most && !solved && !creeps) {
                 ++corrections;
                 if (!positive && !correct(false)) {
                     positive = true;  // for the rest of the step
