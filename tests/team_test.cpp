@@ -2,6 +2,7 @@
 #include "drapeau/team.hpp"
 
 #include "catch.hpp"
+#include "sanitized.hpp"
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -13,12 +14,7 @@
 #include <thread>
 
 using namespace drapeau;
-
-#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;  // sanitizers need more address space than a test can take away
-#else
-constexpr bool sanitized = false;
-#endif
+using testing::sanitized;  // sanitizers need more address space than a test can take away
 
 TEST_CASE("Where members meet every one sees what all others wrote before", "[threads]") {
     constexpr int members = 3, rounds = 2000;

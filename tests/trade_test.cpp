@@ -248,8 +248,7 @@ TEST_CASE("beyond the chaos horizon statistics are compared, and a tolerance is 
         "wild.toml",
         "[flag]\ncolumns = 5\nrows = 4\nwidth = 0.4\nheight = 0.3\nattach = \"grommets\"\nstart = \"crumpled\"\n"
         "prestretch = 0.5\n[springs]\nmass = 0.01\nstiffness = 100\ndiagonal_stiffness = 50\n[gravity]\n");
-    const std::string arguments =
-        "wild.toml --settle 0 --methods leapfrog --precisions double --dt 0.002 --budget 1 ";
+    const std::string arguments = "wild.toml --settle 0 --methods leapfrog --precisions double --dt 0.002 --budget 1 ";
     const Json far = trade(bench, arguments + "--seconds 3");
     CHECK(far["compared"] == "statistics");
     CHECK(far["horizon_s"] < 1.5);
