@@ -6,8 +6,8 @@
 // 4. The mode is kept from one look to the next, so that one product a frame follows a moving flag.
 //
 // A part of the mode is taken off its product (the spectrum is shifted), which damps the slow end of the spectrum and
-// lets the mode follow faster. What is found is a lower bound of the eigenvalue: a step beyond the limit found is
-// certainly unstable here; one below it is within a few per cent of what it is shown to be.
+// lets the mode follow faster. What is found is a lower bound of the eigenvalue, but in cloth pressed to less than half
+// its length: a step beyond the limit found is unstable here.
 #pragma once
 
 #include "drapeau/stepper.hpp"
@@ -59,7 +59,8 @@ public:
             const double quotient = elastic + c_weight * damping + rate_weight * on_mass;
             // Where the cloth is pressed together a mode that buckles may come first: it is damped away.
             const double shift = quotient > 0.0 ? 0.3 * grown : -0.6 * grown;
-            // The product grew by more than the mode's own quotient says, and by no more than the eigenvalue.
+            // The product grew by more than the mode's own quotient says, and by no more than the eigenvalue (where no
+            // mode that buckles is as strong: springs pressed to less than half their length have such).
             const double more = std::max(1.0, grown / quotient);
             if (elastic >= 0.0 && quotient > 0.0) mode_ = {1.0, more * elastic, more * damping, more * on_mass};
             const auto scale = static_cast<Real>(1.0 / std::sqrt(sums.after));

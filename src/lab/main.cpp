@@ -47,10 +47,13 @@ constexpr const char* trade_notes =
 
 constexpr const char* program = "drapeau-lab";
 
+void add_scene(CLI::App& command, std::string& scene) {
+    take_as_path(command.add_option("SCENE", scene, "A scene file, or the name of a shipped scene")->required());
+}
+
 void add_trade(CLI::App& command, TradeOptions& options) {
     command.footer(trade_notes);
-    take_as_path(
-        command.add_option("SCENE", options.scene, "A scene file, or the name of a shipped scene")->required());
+    add_scene(command, options.scene);
     command
         .add_option("--methods", options.methods, "Methods to compare, separated by commas; all of them unless given")
         ->type_name("M,...");
@@ -101,8 +104,7 @@ constexpr const char* stability_notes =
 
 void add_stability(CLI::App& command, StabilityOptions& options) {
     command.footer(stability_notes);
-    take_as_path(
-        command.add_option("SCENE", options.scene, "A scene file, or the name of a shipped scene")->required());
+    add_scene(command, options.scene);
     command
         .add_option("--methods", options.methods, "Methods to measure, separated by commas; all of them unless given")
         ->type_name("M,...");
@@ -129,8 +131,7 @@ int main(int count, char** arguments) {
     RunOptions options;
     auto* run_command = app.add_subcommand("run", "Simulate a scene for a time: where it is then, and what it cost");
     run_command->footer(std::string(run_notes) + "\n\n" + exit_notes);
-    take_as_path(
-        run_command->add_option("SCENE", options.scene, "A scene file, or the name of a shipped scene")->required());
+    add_scene(*run_command, options.scene);
     run_command->add_option("--seconds", options.seconds, "Time to simulate, s")->required()->type_name("T");
     run_command->add_option("--method", options.method, method_choices())->type_name("M");
     run_command->add_option("--dt", options.dt, "Step, s, or auto")->type_name("S");

@@ -192,7 +192,7 @@ std::string ErrorEstimate::reason() const {
         case Verdict::coarse:
             return "step too coarse";
         case Verdict::chaos:
-            return "chaos or a coarse step";
+            return "coarse or chaotic";
         case Verdict::rounding:
             return by_rounding > 0.0 ? "float rounding" : "below rounding";
         case Verdict::limit:

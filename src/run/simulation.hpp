@@ -104,7 +104,7 @@ public:
     std::string limit_remark() const;
     /// What the method does to the motion by nature at this step (see method_remark.hpp); empty where it does nothing.
     std::string method_remark() const;
-    const Solves& solves() const;  // what solving took since the method began, of methods that solve
+    const Solves& solves() const;  // what solving took since the settings last changed, of methods that solve
     /// Why an automatic step is smaller than its usual share of the bound; empty where it is not.
     std::string lowered_because() const;
 

@@ -31,7 +31,7 @@ struct Simulation::Run {
     ToleranceStep tolerated;
     bool float_misses_tolerance = false;
     PassReport limit;                // of the steps last asked for
-    Solves solves{};                 // of all of them
+    Solves solves{};                 // of all since the settings last changed
     std::optional<Oscillator> mode;  // the fastest here and now, of methods whose limit follows from it
     Readings readings;               // the newest
     long long readings_batches = 0;  // batches since then
@@ -91,6 +91,7 @@ struct Simulation::Run {
         engine->refill(model);
         scene = wanted;
         lowered = 1.0;
+        solves = {};
         if (!keeps_tolerance) tolerated = {}, float_misses_tolerance = false;
         restart_clock(now.time(), now.steps);
         if (!keeps_tolerance) meet_tolerance_at_once(abandon);
