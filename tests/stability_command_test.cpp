@@ -78,6 +78,21 @@ TEST_CASE("measured limits of a sheet are those found by an independent program,
     }
 }
 
+TEST_CASE("methods without a limit have none either where dampers are not in proportion to springs") {
+    const Bench bench;
+    bench.write("sheet.toml",
+                "[flag]\ncolumns = 6\nrows = 5\nwidth = 0.5\nheight = 0.4\n[springs]\nmass = 0.01\nstiffness = 100\n"
+                "diagonal_stiffness = 50\ndamping = 0.02\n");
+    const Json limits =
+        limits_of(bench, "sheet.toml --methods implicit-euler,xpbd,forward-euler --stiffness 100 --damping 0.02");
+    for (const Json& limit : limits) {
+        INFO(limit["method"]);
+        const bool has_none = limit["method"] != "forward-euler";
+        CHECK(limit["unlimited"] == has_none);
+        CHECK(limit["map"].empty() != has_none);  // of forward Euler nothing is measured there
+    }
+}
+
 TEST_CASE("noise grows past a limit and not below it, and a limit scales with the root of the stiffness") {
     const Bench bench;
     bench.write(

@@ -2,7 +2,8 @@
 //
 //   name, order, coarsest_step   its name in files, its order, the largest step (s) that anyone would want
 //   caution                      what it does to the motion by nature, in a few words; of methods that do
-//   creates_energy, dissipates_energy   by nature, where nothing damps, or for all that its quadrature can tell
+//   creates_energy, dissipates_energy   by nature, where nothing damps
+//   counts_work                  whether at a step's end it is known what work every force did in it
 //   automatic                    the share of the usual automatic step that suits it (1)
 //   solves                       whether it takes whole steps of its own (step), or is moved by the sweep (move)
 //   passes, stage_time, weight   force evaluations a step; of each, when in the step and its share in quadratures
@@ -119,7 +120,8 @@ struct OneKick {
     static constexpr bool bound_is_safe_only = false;
     static constexpr double automatic = 1.0;
     static constexpr bool starts_with_forces = false;
-    static constexpr bool creates_energy = false, dissipates_energy = false, solves = false, staggered = false;
+    static constexpr bool creates_energy = false, dissipates_energy = false, counts_work = true;
+    static constexpr bool solves = false, staggered = false;
     using Looks = OneKick;
     template <bool damped>
     static constexpr int fields = 2;

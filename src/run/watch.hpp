@@ -37,15 +37,15 @@ public:
     static constexpr int places = 2;          // of the engine that are used for states to return to
     static constexpr int end_place = places;  // and one for the state whose past is counted again
 
-    /// What a method does to energy by nature: what it creates is then judged by the energy there is; what it may lose
-    /// is looked for.
+    /// What a method does to energy by nature: where it creates some, or does not know what forces did, it is judged by
+    /// the energy there is; what it may lose is looked for.
     struct Nature {
         bool creates = false, dissipates = false;
 
         static Nature of(Method method) {
             return with_method(method, [&](const auto& m) {
                 using M = std::decay_t<decltype(m)>;
-                return Nature{M::creates_energy, M::dissipates_energy};
+                return Nature{M::creates_energy || !M::counts_work, M::dissipates_energy};
             });
         }
     };

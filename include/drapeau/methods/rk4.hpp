@@ -20,7 +20,7 @@ struct Rk4 {
     static constexpr int order = 4;
     using Looks = OneKick;  // at the beginning of a step
     static constexpr bool staggered = false, starts_with_forces = false;
-    static constexpr bool creates_energy = false, dissipates_energy = true, solves = false;
+    static constexpr bool creates_energy = false, dissipates_energy = true, counts_work = true, solves = false;
     static constexpr double coarsest_step = 1.0 / 60.0;  // s
     static constexpr bool bound_is_safe_only = true;
     // A mode loses the share y^6/72 of its energy a step, y = omega dt: at 0.3 of the limit the fastest 0.5 %.

@@ -25,9 +25,8 @@ struct Xpbd : OneKick {
     static constexpr int order = 1;
     static constexpr const char* caution = "stable at any step, but springs give way 1 + dt²k/m times as far";
     static constexpr bool solves = true;
-    // Each spring pulls in the midst of a step, so that what dampers took is known but roughly, of strong ones not at
-    // all: a run is judged by the energy there is.
-    static constexpr bool creates_energy = true;
+    // Each spring pulls in the midst of a step: what strong dampers took is not known at its end.
+    static constexpr bool counts_work = false;
     static constexpr int passes = 2;                           // about
     static constexpr double coarsest_step = 1.0 / 60.0 / 6.0;  // s; at fewer steps a frame springs mean nothing
     template <bool damped>
