@@ -60,7 +60,7 @@ Loaded next_of(Loader& loader) {
 
 }  // namespace
 
-TEST_CASE("an image is loaded beside the window, which is told its name meanwhile") {
+TEST_CASE("an image is loaded beside the window, which is told its name meanwhile", "[threads]") {
     const Folder folder;
     Loader loader;
     CHECK(loader.waiting_for().empty());
@@ -77,7 +77,7 @@ TEST_CASE("an image is loaded beside the window, which is told its name meanwhil
     CHECK(!loader.take());
 }
 
-TEST_CASE("a newer choice abandons an older one promptly") {
+TEST_CASE("a newer choice abandons an older one promptly", "[threads]") {
     const Folder folder;
     const std::string slow = folder.slow_picture("slow.svg"), slow_scene = folder.scene("slow.toml", "slow.svg");
     const std::string good = folder.picture("good.png"), good_scene = folder.scene("good.toml", "good.png");
@@ -119,7 +119,7 @@ TEST_CASE("an image that was chosen after a scene comes after it, one before it 
     CHECK(!loader.take());
 }
 
-TEST_CASE("a loader ends promptly while a file is loaded") {
+TEST_CASE("a loader ends promptly while a file is loaded", "[threads]") {
     const Folder folder;
     auto loader = std::make_unique<Loader>();
     loader->load_image(folder.slow_picture("slow.svg"));

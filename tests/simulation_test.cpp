@@ -2,6 +2,7 @@
 #include "all_methods.hpp"
 #include "catch.hpp"
 #include "run/simulation.hpp"
+#include "sanitized.hpp"
 
 #include "drapeau/stability.hpp"
 
@@ -129,6 +130,7 @@ TEST_CASE("The same scene gives the same bits, however its steps are grouped", "
 }
 
 TEST_CASE("Any number of threads gives the bits of one, in the kernels as they are built", "[physics][threads]") {
+    constexpr int steps = testing::sanitized ? 5 : 70;
     for (const auto precision : {Precision::single_precision, Precision::double_precision})
         for (const auto method : all_methods())
             for (const bool all_terms : {false, true}) {
@@ -139,11 +141,11 @@ TEST_CASE("Any number of threads gives the bits of one, in the kernels as they a
                 scene.time.dt = 1e-5;
                 if (!all_terms) scene.springs.diagonal_stiffness.reset(), scene.springs.damping.reset();
                 Simulation alone(scene);
-                REQUIRE_FALSE(alone.advance_steps(70));
+                REQUIRE_FALSE(alone.advance_steps(steps));
                 for (const int threads : {2, 3}) {
                     Simulation together(scene);
                     together.use_threads(threads);
-                    REQUIRE_FALSE(together.advance_steps(70));
+                    REQUIRE_FALSE(together.advance_steps(steps));
                     CHECK(together.state_hash() == alone.state_hash());
                 }
             }

@@ -131,7 +131,7 @@ TEST_CASE("a thread shows its start before anything is asked for") {
     CHECK(!moment.stands());
 }
 
-TEST_CASE("batches asked for are done, each once, and waiting waits for all of them") {
+TEST_CASE("batches asked for are done, each once, and waiting waits for all of them", "[threads]") {
     SimulationThread thread{Simulation(sheet())};
     thread.ask_batches(3);
     thread.ask_batches(4);
@@ -154,7 +154,7 @@ TEST_CASE("a single step is one step") {
     CHECK(moment.snapshot.time == Approx(3 * moment.dt));
 }
 
-TEST_CASE("readings are of the moment itself after a step or a change, and never far behind it while the flag plays") {
+TEST_CASE("readings are of the moment itself after a step or a change, and never far behind it while the flag plays", "[threads]") {
     SimulationThread thread{Simulation(sheet())};
     CHECK(newest_of(thread).readings.time == 0.0);
     for (int batch = 1; batch <= 100; ++batch) {
@@ -213,7 +213,7 @@ TEST_CASE("a change goes on from where the run is, a restart from the start") {
     check_same(restarted.snapshot, after_batches(windless, 0));
 }
 
-TEST_CASE("of several changes asked for at once the last counts, and a restart among them is not lost") {
+TEST_CASE("of several changes asked for at once the last counts, and a restart among them is not lost", "[threads]") {
     SimulationThread thread{Simulation(sheet())};
     thread.ask_batches(3);
     thread.wait();
@@ -302,7 +302,7 @@ TEST_CASE("a refused scene is reported with its reason and leaves the run as it 
     CHECK(taken.revision == 6);
 }
 
-TEST_CASE("a divergence drops the batches that were asked for, until a scene is taken") {
+TEST_CASE("a divergence drops the batches that were asked for, until a scene is taken", "[threads]") {
     SimulationThread thread{Simulation(bursting())};
     thread.ask_batches(100000);
     const Moment burst = newest_of(thread);
@@ -346,7 +346,7 @@ TEST_CASE("a scene there is no memory for is refused in words, and the run goes 
     check_same(newest_of(thread).snapshot, after_batches(sheet(), 5));
 }
 
-TEST_CASE("whatever is thrown while the run advances becomes a message, and the next scene goes on") {
+TEST_CASE("whatever is thrown while the run advances becomes a message, and the next scene goes on", "[threads]") {
     using Thrown = ScarceMemory::Thrown;
     const std::pair<Thrown, std::string> cases[] = {{Thrown::bad_alloc, "not enough memory"},
                                                     {Thrown::another_exception, "another exception"},
@@ -387,7 +387,7 @@ TEST_CASE("one processor is left to the picture, and one thread there always is"
     CHECK(simulation_threads(8) == 7);
 }
 
-TEST_CASE("a large flag is moved by as many threads as given, through changes and restarts too, to the same bits") {
+TEST_CASE("a large flag is moved by as many threads as given, through changes and restarts too, to the same bits", "[threads]") {
     const auto before = threads_that_stay();
     const Scene scene = sheet(100, 80);
     SimulationThread thread(Simulation(scene), 3);
