@@ -154,7 +154,8 @@ TEST_CASE("a single step is one step") {
     CHECK(moment.snapshot.time == Approx(3 * moment.dt));
 }
 
-TEST_CASE("readings are of the moment itself after a step or a change, and never far behind it while the flag plays", "[threads]") {
+TEST_CASE("readings are of the moment itself after a step or a change, and never far behind it while the flag plays",
+          "[threads]") {
     SimulationThread thread{Simulation(sheet())};
     CHECK(newest_of(thread).readings.time == 0.0);
     for (int batch = 1; batch <= 100; ++batch) {
@@ -387,7 +388,8 @@ TEST_CASE("one processor is left to the picture, and one thread there always is"
     CHECK(simulation_threads(8) == 7);
 }
 
-TEST_CASE("a large flag is moved by as many threads as given, through changes and restarts too, to the same bits", "[threads]") {
+TEST_CASE("a large flag is moved by as many threads as given, through changes and restarts too, to the same bits",
+          "[threads]") {
     const auto before = threads_that_stay();
     const Scene scene = sheet(100, 80);
     SimulationThread thread(Simulation(scene), 3);

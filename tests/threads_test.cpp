@@ -11,7 +11,9 @@ namespace {
 constexpr double dt = 1e-4;
 /// A step that solves is many sweeps, between which threads meet.
 template <class Method>
-constexpr int steps_of = sanitized ? 3 : Method::solves ? 4 : 13;
+constexpr int steps_of = sanitized        ? 3
+                         : Method::solves ? 4
+                                          : 13;
 
 /// Every force, travelling gusts that differ from row to row, and a limit that has work to do.
 Model storm(const Grid& grid, const Springs& springs, bool travelling, bool limited) {

@@ -133,7 +133,8 @@ TEST_CASE("What stability asks for is enough where the tolerance is wide", "[acc
     CHECK_FALSE(b.error());  // nobody asked
 }
 
-TEST_CASE("Watching the error does not alter the run, and a wide tolerance shows the same error", "[accuracy][threads]") {
+TEST_CASE("Watching the error does not alter the run, and a wide tolerance shows the same error",
+          "[accuracy][threads]") {
     Scene scene = gusty(1.0);
     Simulation asked(scene);
     scene.time.tolerance.reset();

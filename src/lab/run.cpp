@@ -1,5 +1,7 @@
 #include "run.hpp"
 
+#include "exit_status.hpp"
+
 #include "io/error.hpp"
 #include "io/terminal.hpp"
 #include "io/text.hpp"

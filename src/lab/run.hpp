@@ -6,10 +6,6 @@
 
 namespace drapeau::lab {
 
-inline constexpr int exit_good = 0;
-inline constexpr int exit_bad_input = 2;
-inline constexpr int exit_diverged = 3;
-
 struct RunOptions {
     std::string scene;             // a path or the name of a shipped scene
     std::string seconds;           // s of simulated time

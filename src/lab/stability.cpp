@@ -8,7 +8,7 @@
 #include "outputs.hpp"
 #include "progress.hpp"
 #include "run/engine.hpp"
-#include "run.hpp"
+#include "exit_status.hpp"
 #include "scene/file.hpp"
 #include "scene/settings.hpp"
 #include "stability_limit.hpp"

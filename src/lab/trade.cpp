@@ -1,12 +1,14 @@
 #include "trade.hpp"
 
+#include "commands.hpp"
+
 #include "io/error.hpp"
 #include "io/terminal.hpp"
 #include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
-#include "run.hpp"
+#include "exit_status.hpp"
 #include "scene/file.hpp"
 #include "trade_options.hpp"
 #include "trade_report.hpp"
@@ -21,8 +23,6 @@ namespace drapeau::lab {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* program = "drapeau-lab";
 
 std::vector<NamedFile> outputs_of(const TradeOptions& options) {
     return asked_for({{"--write", options.write}, {"--json", options.json}});

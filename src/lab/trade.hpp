@@ -7,8 +7,6 @@
 
 namespace drapeau::lab {
 
-inline constexpr int exit_not_met = 1;  // no setting meets the tolerance, or the check of the one named failed
-
 struct TradeOptions {
     std::string scene;             // a path or the name of a shipped scene
     std::vector<std::string> set;  // "KEY=VALUE", instead of what the scene says
