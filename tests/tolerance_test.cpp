@@ -199,7 +199,7 @@ TEST_CASE("A wind that changes does not make the step chatter", "[accuracy]") {
     CHECK(changes <= estimates / 4);  // six estimates a cycle at least, and fewer than that
 }
 
-TEST_CASE("The step shrinks after two estimates in a row, grows after four, and stays in between", "[accuracy]") {
+TEST_CASE("The step shrinks after two estimates in a row or one far above, grows after four, and stays in between", "[accuracy]") {
     const double usual = batch_seconds / 20.0, dt = batch_seconds / 100.0, tolerance = 1e-3;
     const auto above = estimate_of(1.6e-3, dt), below = estimate_of(0.3e-3, dt), near = estimate_of(0.95e-3, dt);
     ToleranceStep step;
@@ -223,8 +223,14 @@ TEST_CASE("The step shrinks after two estimates in a row, grows after four, and 
     CHECK(bound.allowed() == Approx(usual));
     // By the order: 16 times the error is twice the steps of a method of order 4.
     ToleranceStep fourth;
-    for (int n = 0; n < 2; ++n) fourth.take_in(estimate_of(16e-3, dt, 4), tolerance, usual);
-    CHECK(fourth.allowed() == Approx(0.5 * dt));
+    for (int n = 0; n < 2; ++n) fourth.take_in(estimate_of(1.8e-3, dt, 4), tolerance, usual);
+    CHECK(fourth.allowed() == Approx(dt * 0.9 * std::pow(1.8, -0.25)));
+    // One estimate of more than twice the tolerance is enough.
+    ToleranceStep far;
+    CHECK(far.take_in(estimate_of(2.25e-3, dt, 2), tolerance, usual));
+    CHECK(far.allowed() == Approx(0.6 * dt));
+    CHECK(far.take_in(estimate_of(1.0, dt), tolerance, usual));
+    CHECK(far.allowed() == Approx(0.5 * dt));
 }
 
 TEST_CASE("Where the error is not resolvable the step stays, unless it is too coarse", "[accuracy]") {

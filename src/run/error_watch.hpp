@@ -1,7 +1,7 @@
 // Error watch: estimates of a run's error made on a spare thread while it goes on.
 //
 // Every 60 batches the state is copied and the window that follows is run again (error_estimate.hpp). What comes of it
-// takes effect 60 batches later: where the step depends on it the run waits for it then, so that the same scene takes
+// takes effect 30 batches later: where the step depends on it the run waits for it then, so that the same scene takes
 // the same steps on any machine; where it is only shown, it is shown when it is there.
 #pragma once
 
@@ -20,7 +20,7 @@ class ErrorWatch {
 public:
     enum class Mode { off, aside, awaited };
 
-    static constexpr long long period = 60, delay = 60;  // batches
+    static constexpr long long period = 60, delay = 30;  // batches
     // A change of settings is followed by others while a slider is dragged: nothing is begun until it rests.
     static constexpr long long first = 6;  // batch
 

@@ -10,10 +10,11 @@ namespace {
 constexpr int to_shrink = 2, to_grow = 4;       // estimates in a row
 constexpr double safety = 0.9, worth_it = 1.2;  // of the step; of the number of steps
 constexpr double least_factor = 0.5, most_factor = 2.0;
+constexpr double far_above = 2.0;  // of the tolerance
 
-bool is_above(const ErrorEstimate& estimate, double tolerance) {
-    if (estimate.verdict == ErrorEstimate::Verdict::coarse) return estimate.apart > tolerance;
-    return estimate.resolved() && estimate.rate > tolerance;
+bool is_above(const ErrorEstimate& estimate, double rate) {
+    if (estimate.verdict == ErrorEstimate::Verdict::coarse) return estimate.apart > rate;
+    return estimate.resolved() && estimate.rate > rate;
 }
 
 /// By how much the step may be larger for the error to be the tolerance.
@@ -37,7 +38,8 @@ bool ToleranceStep::take_in(const ErrorEstimate& estimate, double tolerance, dou
     const double steps = steps_a_batch(estimate.dt), needed = steps_a_batch(wanted);
     const bool shrinks = above && needed > steps, grows = !above && needed * worth_it < steps;
     if ((shrinks && shrinking_ == 0) || (grows && growing_ == 0)) least_ = INFINITY;
-    shrinking_ = shrinks ? shrinking_ + 1 : 0;
+    const bool is_far = estimate.resolved() && is_above(estimate, far_above * tolerance);
+    shrinking_ = shrinks ? shrinking_ + (is_far ? to_shrink : 1) : 0;
     growing_ = grows ? growing_ + 1 : 0;
     least_ = std::min(least_, wanted);
     if (shrinking_ < to_shrink && growing_ < to_grow) return false;
