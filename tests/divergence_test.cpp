@@ -94,7 +94,9 @@ TEST_CASE("A step far above the limit diverges and the run stands on a state tha
                 CHECK(divergence->cause == Divergence::Cause::past_the_limit);
                 CHECK(divergence->message.find('\n') == std::string::npos);
                 CHECK(divergence->message.find("column " + std::to_string(divergence->column)) != std::string::npos);
-                CHECK(divergence->message.find("stability limit") != std::string::npos);
+                CHECK(divergence->message.find("stable however") != std::string::npos);
+                CHECK((divergence->message.find("noise grows tenfold") != std::string::npos) ==
+                      simulation.live_limit().has_value());
 
                 // And again: the same from the same state
                 std::optional<Divergence> again;

@@ -45,7 +45,7 @@ std::vector<Result> results_of(const Simulation& simulation, int threads, const 
                                  : limit.is_unlimited()
                                      ? "every step is stable"
                                      : rounded(100.0 * simulation.dt() / limit.seconds(), 3) +
-                                           " % of the stability limit, " + with_unit(limit.seconds(), "s");
+                                           " % of the bound that is stable in any shape, " + with_unit(limit.seconds(), "s");
     const std::string hash = fmt::format("{:016x}", simulation.state_hash());
 
     std::vector<Result> results;

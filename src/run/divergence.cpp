@@ -67,8 +67,8 @@ std::string cause_and_remedy(Method method, const Divergence& d) {
             if (d.limit.is_none())
                 return fmt::format("{} has no stable step without drag or friction: choose semi-implicit-euler", name);
             return fmt::format(
-                "the step {} is above the stability limit {} of {} for these springs and this damping; {}", step, limit,
-                name, remedy);
+                "the step {} is above {}, up to which {} is stable however these springs lie; {}", step, limit, name,
+                remedy);
         case Divergence::Cause::too_soft:
             return fmt::format(
                 "at steps of {} {} makes these springs so much too soft that they hold more energy than there is; {}",
@@ -78,16 +78,16 @@ std::string cause_and_remedy(Method method, const Divergence& d) {
                 return fmt::format("{} creates energy at steps of {} in motion as violent as this; {}", name, step,
                                    remedy);
             return fmt::format(
-                "the step {} is within the stability limit {} of {}, but the motion is so violent that the "
-                "method creates energy; {}",
+                "the step {} is within {}, up to which {} is stable, but the motion is so violent that it creates "
+                "energy; {}",
                 step, limit, name, remedy);
         case Divergence::Cause::energy_lost:
             if (d.limit.is_unlimited())
                 return fmt::format("the step {} is too large for {} to keep the energy of this motion; {}", step, name,
                                    remedy);
             return fmt::format(
-                "the step {} is within the stability limit {} of {}, but too large for it to keep the energy "
-                "of this motion; {}",
+                "the step {} is within {}, up to which {} is stable, but too large for it to keep the energy of this "
+                "motion; {}",
                 step, limit, name, remedy);
         case Divergence::Cause::float_rounding:
             return fmt::format("float cannot honour steps of {} in this scene; choose double", step);

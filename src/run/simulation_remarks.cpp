@@ -13,29 +13,38 @@
 namespace drapeau {
 
 std::optional<StableStep> Simulation::live_limit() const {
-    if (!run_->mode) return {};
-    return with_method(run_->scene.time.method, [&]<class M>(const M& method) -> std::optional<StableStep> {
+    return run_->live_limit();
+}
+
+std::optional<StableStep> Simulation::Run::live_limit() const {
+    if (!mode) return {};
+    return with_method(scene.time.method, [&]<class M>(const M& method) -> std::optional<StableStep> {
         if constexpr (has_live_limit<M>)
-            return exact_step(method, *run_->mode);
+            return exact_step(method, *mode);
         else
             return {};
     });
 }
 
 std::string Simulation::limit_remark() const {
+    return run_->limit_remark();
+}
+
+std::string Simulation::Run::limit_remark() const {
     const auto live = live_limit();
-    if (!live || !live->is_finite() || live->allows(dt())) return "";
-    const double growth = with_method(run_->scene.time.method, [&]<class M>(const M&) {
+    const double dt = now.clock.dt;
+    if (!live || !live->is_finite() || live->allows(dt)) return "";
+    const double growth = with_method(scene.time.method, [&]<class M>(const M&) {
         if constexpr (has_live_limit<M>)
-            return M::growth(*run_->mode, dt());
+            return M::growth(*mode, dt);
         else
             return 1.0;
     });
-    const double share = dt() / live->seconds(), steps = std::log(10.0) / std::log(growth);
-    const std::string limit = quantity(live->seconds(), "s");
+    const double share = dt / live->seconds(), steps = std::log(10.0) / std::log(growth);
+    const std::string its_limit = quantity(live->seconds(), "s");
     return fmt::format("the step is {}: noise grows tenfold every {} steps",
-                       share < 2.0 ? rounded(100.0 * (share - 1.0), 2) + " % past the limit of " + limit
-                                   : rounded(share, 3) + " times the limit of " + limit,
+                       share < 2.0 ? rounded(100.0 * (share - 1.0), 2) + " % past the limit of " + its_limit
+                                   : rounded(share, 3) + " times the limit of " + its_limit,
                        rounded(std::max(1.0, steps), 2));
 }
 

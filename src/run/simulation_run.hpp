@@ -185,6 +185,9 @@ struct Simulation::Run {
                now.clock.dt < smallest_float_step(engine->reach(), typical_speed_);
     }
 
+    std::optional<StableStep> live_limit() const;
+    std::string limit_remark() const;
+
     ErrorWindow window() { return {engine->state(now.time()), now.time()}; }
     ErrorEstimate error_of(const ErrorWindow& window, const std::atomic<bool>* abandon = nullptr) const {
         return measure_error(engine->model(), scene.time.method, precision, window, now.clock.dt, abandon,
@@ -202,7 +205,7 @@ struct Simulation::Run {
 private:
     static constexpr long long batches_between_looks = 60;
     static constexpr double smallest_lowered = 1e-3;
-    static constexpr int first_looks = 10;
+    static constexpr int first_looks = 10, final_looks = 200;
     static constexpr double calm = 2.0;  // s without energy created until a lowered step may grow again
 
     /// Looks at the fastest mode once for every so many steps taken, so that it costs a few per cent of them.
@@ -248,7 +251,10 @@ private:
                            : watch.ledger().created_share() < 0.0 ? Divergence::Cause::energy_lost
                                                                   : Divergence::Cause::energy_created;
         watch.return_to_good(*engine, now);
-        return explain_divergence(*engine, watch, scene.time.method, now, broken_at, cause, abandon);
+        auto divergence = explain_divergence(*engine, watch, scene.time.method, now, broken_at, cause, abandon);
+        look_at_fastest_mode(final_looks);  // what was seen of it on the way may be little
+        if (const std::string remark = limit_remark(); !remark.empty()) divergence.message += "; " + remark;
+        return divergence;
     }
 
     /// The same masses in another precision; a new clock must follow.
