@@ -61,6 +61,7 @@ struct ViewSettings {
     bool springs = false;
     bool forces = false;
     bool masses = false;
+    bool reference = false;            // the same flag, computed far more accurately, as a wireframe
     bool texture_proportions = false;  // the flag takes the proportions of its texture
 
     bool operator==(const ViewSettings&) const = default;

@@ -167,6 +167,11 @@ inline constexpr std::tuple view_keys{
         About{"Force colours", "", "springs coloured by their force, white to red",
               "A scale in newtons stands below the flag. Key F"}},
     Key{"masses", &ViewSettings::masses, About{"Masses", "", "every mass as a point", "Key M"}},
+    Key{"reference", &ViewSettings::reference,
+        About{
+            "Reference", "", "a wireframe of the same flag, computed far more accurately from then on",
+            "By rk4 in double at half its automatic step, on a spare thread, under the same wind. How far the flag has "
+            "gone from it is shown in mm. A change of settings begins it anew. Key G"}},
     Key{"texture_proportions", &ViewSettings::texture_proportions,
         About{"Shaped like its image", "", "the flag takes the proportions of its image",
               "The width follows from the height."}},

@@ -20,6 +20,7 @@ struct Commands {
     bool screenshot = false;
     bool reset_camera = false;
     bool use_safe_step = false;
+    bool restart_reference = false;
     std::optional<std::string> load_scene;           // a path or a shipped name
     std::optional<std::string> load_texture;         // a path; empty: no image
     std::optional<std::string> save_scene;           // a path
@@ -30,6 +31,14 @@ struct Commands {
 struct Question {
     std::filesystem::path file;
     std::string text;
+};
+
+/// How far the run has gone from its reference.
+struct ReferenceGap {
+    double since = 0.0, time = 0.0;    // s, when both were the same, and when they were compared
+    double rms = 0.0, greatest = 0.0;  // m
+    double dt = 0.0;                   // s, the reference's step
+    std::string trouble;               // why there is none; empty while there is one
 };
 
 /// What the panels show of the run.
@@ -44,17 +53,18 @@ struct Status {
     double dt = 0.0;  // s
     long long steps_per_batch = 0;
     StableStep stability_limit;
-    std::optional<StableStep> live_limit;  // here and now
-    std::string limit_remark;              // that the step is past it; empty where it is not
-    std::string method_remark;             // what the method does by nature at this step; empty where nothing
-    std::string step_reason;               // what the step in use was chosen by
-    std::optional<ErrorEstimate> error;    // the newest, of the step in use
-    std::string lowered_because;           // why an automatic step is smaller than usual; empty where it is not
-    std::string precision_remark;          // what float cannot honour; empty where all is well
-    std::string start_remark;              // what a start is not that it may seem; empty where all is well
-    std::optional<StretchLimit> limit;     // of the scene that runs
-    double force_scale = 1.0;              // N
-    bool clock = true;                     // false: wall-clock readings are not shown, so that pictures repeat
+    std::optional<StableStep> live_limit;   // here and now
+    std::string limit_remark;               // that the step is past it; empty where it is not
+    std::string method_remark;              // what the method does by nature at this step; empty where nothing
+    std::string step_reason;                // what the step in use was chosen by
+    std::optional<ErrorEstimate> error;     // the newest, of the step in use
+    std::string lowered_because;            // why an automatic step is smaller than usual; empty where it is not
+    std::string precision_remark;           // what float cannot honour; empty where all is well
+    std::string start_remark;               // what a start is not that it may seem; empty where all is well
+    std::optional<StretchLimit> limit;      // of the scene that runs
+    std::optional<ReferenceGap> reference;  // while one is shown and there is something to say of it
+    double force_scale = 1.0;               // N
+    bool clock = true;                      // false: wall-clock readings are not shown, so that pictures repeat
     double real_time_factor = 0.0;
     double step_seconds = 0.0;      // wall-clock
     double frame_seconds = 0.0;     // wall-clock

@@ -106,6 +106,9 @@ void letter_key(char letter, AppState& app) {
         case 'm':
             toggle(view.masses);
             break;
+        case 'g':
+            toggle(view.reference);
+            break;
         case 'c':
             toggle(view.cloth);
             break;

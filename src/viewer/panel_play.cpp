@@ -45,6 +45,8 @@ void choose_view(AppState& app, Widgets& widgets) {
             "Diagonal springs, simulated and drawn. They resist shear and double the number of springs. Key D"))
         toggle_diagonals(app);
     toggle(&ViewSettings::forces);
+    ImGui::SameLine(half);
+    toggle(&ViewSettings::reference);
 }
 
 }  // namespace

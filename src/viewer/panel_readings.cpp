@@ -145,6 +145,33 @@ void show_error(const Status& s, Widgets& widgets) {
     widgets.reading("Error", "unknown: " + s.error->reason(), tip.c_str(), Widgets::Mood::close);
 }
 
+std::string millimetres(double metres) {
+    constexpr double least = 1e-6;  // m, about what the picture's floats resolve
+    return metres < least ? "< 0.001" : rounded(1e3 * metres, 3);
+}
+
+/// How far the flag has gone from its reference, which may be behind it in time.
+void show_reference(const Status& s, Widgets& widgets) {
+    std::string tip = "Distance of the masses from the reference at equal times, root mean square.";
+    if (!s.reference) return widgets.reading("Reference", "begins", tip.c_str());
+    const ReferenceGap& gap = *s.reference;
+    if (!gap.trouble.empty()) {
+        tip = "There is no reference: " + gap.trouble + ".";
+        return widgets.reading("Reference", "none", tip.c_str(), Widgets::Mood::close);
+    }
+    const double passed = gap.time - gap.since, behind = s.time - gap.time;
+    constexpr double noticed = 0.25;  // s
+    tip += fmt::format(
+        "\nThe mass furthest from it is {} mm away. The reference is computed by rk4 in double at steps of {}, on a "
+        "spare thread, from t = {:.2f} s on. It is at t = {:.2f} s, and so is its wireframe.",
+        millimetres(gap.greatest), quantity(gap.dt, "s"), gap.since, gap.time);
+    widgets.reading(
+        "Reference",
+        millimetres(gap.rms) + " mm " +
+            (behind > noticed ? fmt::format("({:.1f} s behind)", behind) : fmt::format("after {:.1f} s", passed)),
+        tip.c_str());
+}
+
 void show_limit(const PassReport& did, double limit, Widgets& widgets) {
     constexpr const char* tip =
         "The longest spring after the stretch limit was applied, against the limit, and how often all springs were "
@@ -166,6 +193,7 @@ void show_limit(const PassReport& did, double limit, Widgets& widgets) {
 float readings_height(const AppState& app) {
     float lines = 9.6f;
     if (app.status.limit) lines += 1.0f;
+    if (app.scene.view.reference) lines += 1.0f;
     float height = lines * ImGui::GetTextLineHeightWithSpacing();
     for (const Remark& remark : remarks_on(app))
         height += ImGui::CalcTextSize(remark.text.c_str(), nullptr, false, ImGui::GetContentRegionAvail().x).y +
@@ -183,6 +211,7 @@ void draw_readings(const AppState& app, Widgets& widgets) {
     show_step_limit(s, widgets);
     show_stability(s, widgets);
     show_error(s, widgets);
+    if (app.scene.view.reference) show_reference(s, widgets);
     for (const Remark& remark : remarks_on(app)) widgets.remark(remark.label, remark.text, remark.tip);
     widgets.reading("Work", (s.clock ? quantity(s.step_seconds, "s") : std::string(none)) + " a step",
                     "Wall-clock time of one step.");

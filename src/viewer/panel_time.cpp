@@ -60,6 +60,9 @@ void edit_step(AppState& app, Widgets& widgets) {
 void draw_time_page(AppState& app, PanelMemory& memory, Widgets& widgets) {
     edit_method(app, widgets);
     edit_step(app, widgets);
+    if (app.scene.view.reference &&
+        widgets.button("Compare anew", "The reference begins again, from where the flag is now.", -1.0f))
+        app.commands.restart_reference = true;
     ImGui::Spacing();
     ImGui::Separator();
     ImGui::Spacing();

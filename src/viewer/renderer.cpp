@@ -55,6 +55,10 @@ void Renderer::draw_scene(const Picture& picture, glm::vec2 size) {
     const bool chain = grid_.columns() == 1 || grid_.rows() == 1;
     if (picture.springs || picture.forces || chain) springs_.draw(grid_, picture, texture_);
     if (picture.masses || chain) masses_.draw(grid_, picture);
+    if (picture.reference) {
+        reference_.bind();
+        springs_.draw_wireframe(reference_, picture);
+    }
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);

@@ -18,6 +18,7 @@ public:
     Renderer();
 
     void upload(const Snapshot& snapshot) { grid_.upload(snapshot); }
+    void upload_reference(const Snapshot& snapshot) { reference_.upload(snapshot); }
     FlagTexture& texture() { return texture_; }
 
     /// The shadow's texture, drawn before the scene; leaves another framebuffer bound.
@@ -28,7 +29,7 @@ private:
     void send(const FrameBlock& block);
 
     GlBuffer block_;
-    GridTextures grid_;
+    GridTextures grid_, reference_;
     FlagTexture texture_;
     ClothPass cloth_;
     SolidPass solids_;

@@ -99,6 +99,34 @@ void SimulationThread::ask_step() {
     wanted_.notify_one();
 }
 
+void SimulationThread::follow_reference(bool wanted) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (wanted == reference_wanted_) return;
+        reference_wanted_ = wanted;
+        reference_asked_ = true;
+    }
+    wanted_.notify_one();
+}
+
+void SimulationThread::restart_reference() {
+    {
+        const std::lock_guard lock(mutex_);
+        reference_asked_ = true;
+    }
+    wanted_.notify_one();
+}
+
+bool SimulationThread::take_reference(ReferenceRun::Gap& newest) {
+    const std::lock_guard lock(mutex_);
+    return reference_ && reference_->take(newest);
+}
+
+std::string SimulationThread::reference_trouble() const {
+    const std::lock_guard lock(mutex_);
+    return reference_ ? reference_->trouble() : "";
+}
+
 int SimulationThread::backlog() const {
     const std::lock_guard lock(mutex_);
     return batches_;
@@ -106,7 +134,8 @@ int SimulationThread::backlog() const {
 
 bool SimulationThread::idle() const {
     const std::lock_guard lock(mutex_);
-    return !busy_ && !change_ && batches_ == 0 && single_steps_ == 0 && !newest_ && !failure_new_;
+    return !busy_ && !change_ && batches_ == 0 && single_steps_ == 0 && !newest_ && !failure_new_ &&
+           !reference_asked_ && !(reference_ && reference_->behind());
 }
 
 bool SimulationThread::settling() const {
@@ -128,22 +157,30 @@ bool SimulationThread::take(Moment& newest) {
 
 void SimulationThread::wait() {
     std::unique_lock lock(mutex_);
-    finished_.wait(lock, [this] { return !busy_ && !change_ && batches_ == 0 && single_steps_ == 0; });
+    finished_.wait(lock,
+                   [this] { return !busy_ && !change_ && batches_ == 0 && single_steps_ == 0 && !reference_asked_; });
+    const std::shared_ptr<ReferenceRun> reference = reference_;
+    lock.unlock();
+    if (reference) reference->wait();
 }
 
 // One request at a time, a change before any time passes; others may ask meanwhile.
 void SimulationThread::work() {
     std::unique_lock lock(mutex_);
     while (true) {
-        wanted_.wait(lock, [this] { return ending_ || change_ || batches_ > 0 || single_steps_ > 0; });
+        wanted_.wait(lock,
+                     [this] { return ending_ || change_ || batches_ > 0 || single_steps_ > 0 || reference_asked_; });
         if (ending_) return;
         busy_ = true;
+        const bool reference_only = !change_ && batches_ == 0 && single_steps_ == 0;
+        const bool begins = std::exchange(reference_asked_, false);
         const std::optional<Change> change = std::exchange(change_, std::nullopt);
         if (change && change->scene.flag.start == Start::hanging) settles_since_ = std::chrono::steady_clock::now();
         const bool single = !change && single_steps_ > 0;
         abandon_ = false;
         lock.unlock();
-        const bool advanced = carry_out(change, single);
+        if (begins && !change) begin_reference();
+        const bool advanced = !reference_only && carry_out(change, single);
         lock.lock();
         if (now_.divergence || failed_)
             batches_ = single_steps_ = 0;
@@ -201,6 +238,7 @@ void SimulationThread::take_over(const Change& change) {
     now_.scene = change.scene;
     now_.revision = change.revision;
     now_.divergence.reset();
+    begin_reference();
     now_.refusal.clear();
     now_.refused_revision = -1;
     failed_ = false;
@@ -225,6 +263,28 @@ bool SimulationThread::advance(bool single_step) {
     return taken != 0;
 }
 
+/// From where the run is, or none. What it needs may be refused to it alone: the run goes on.
+void SimulationThread::begin_reference() {
+    std::shared_ptr<ReferenceRun> next;
+    {
+        const std::lock_guard lock(mutex_);
+        if (!reference_wanted_ && !reference_) return;
+        std::swap(next, reference_);
+        if (!reference_wanted_) return;
+    }
+    next.reset();  // ends before the other begins
+    try {
+        next = std::make_shared<ReferenceRun>(simulation_.scene(), simulation_.state(), simulation_.time());
+        Snapshot here;
+        simulation_.snapshot(here);
+        next->follow(here);
+    } catch (const std::exception&) {  // no memory or no thread
+        return;
+    }
+    const std::lock_guard lock(mutex_);
+    reference_ = std::move(next);
+}
+
 void SimulationThread::publish(bool fresh) {
     simulation_.snapshot(now_.snapshot);
     now_.readings = fresh ? simulation_.readings() : simulation_.recent_readings();
@@ -240,6 +300,7 @@ void SimulationThread::publish(bool fresh) {
     now_.precision_remark = simulation_.precision_remark();
     now_.start_remark = simulation_.start_remark();
     now_.kinds = kinds_of(simulation_.model());
+    if (reference_) reference_->follow(now_.snapshot);
     Moment moment = now_;
     const std::lock_guard lock(mutex_);
     newest_ = std::move(moment);

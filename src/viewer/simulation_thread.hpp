@@ -3,11 +3,13 @@
 #pragma once
 
 #include "picture.hpp"
+#include "run/reference_run.hpp"
 #include "run/simulation.hpp"
 
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -62,6 +64,11 @@ public:
     void restart(const Scene& scene, long long revision);  // from the scene's start
     void ask_batches(int count);
     void ask_step();
+    /// Whether a reference run follows, from where the run is when it begins. It begins anew with every change.
+    void follow_reference(bool wanted);
+    void restart_reference();
+    bool take_reference(ReferenceRun::Gap& newest);  // false if nothing is new since the last call
+    std::string reference_trouble() const;           // why it does not go on; empty while it does
 
     int backlog() const;        // batches asked for and not done
     bool idle() const;          // nothing is asked for, under way or new
@@ -82,6 +89,7 @@ private:
     void take_over(const Change& change);
     void put_back(const Change& change);
     bool advance(bool single_step);
+    void begin_reference();
     void publish(bool fresh);
     void fail(std::string_view why) noexcept;
 
@@ -94,6 +102,8 @@ private:
     mutable std::mutex mutex_;
     std::condition_variable wanted_, finished_;
     std::optional<Change> change_;
+    std::shared_ptr<ReferenceRun> reference_;  // only the thread replaces it
+    bool reference_wanted_ = false, reference_asked_ = false;
     int batches_ = 0;
     int single_steps_ = 0;
     bool busy_ = false;

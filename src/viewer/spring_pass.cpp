@@ -8,6 +8,7 @@ namespace drapeau {
 namespace {
 
 const glm::vec3 dark(0.012f, 0.015f, 0.022f), light(0.93f, 0.92f, 0.88f);  // linear
+const glm::vec3 ghostly(0.0f, 0.62f, 0.36f);
 
 }  // namespace
 
@@ -37,6 +38,20 @@ void SpringPass::draw(const GridTextures& grid, const Picture& picture, const Fl
     }
     shader_.set("width", chain ? 2.6f : 2.0f);
     shader_.set("opacity", on_picture ? 0.8f : 1.0f);
+    draw_kind(grid, {1, 0}, picture.kinds.fly);
+    draw_kind(grid, {0, 1}, picture.kinds.hoist);
+}
+
+void SpringPass::draw_wireframe(const GridTextures& grid, const Picture& picture) const {
+    shader_.use();
+    glBindVertexArray(nothing_.id());
+    shader_.set("grid", glm::ivec2(grid.columns(), grid.rows()));
+    shader_.set("on_picture", 0);
+    shader_.set("by_force", 0);
+    shader_.set("lift", 0.24f * std::min(picture.kinds.fly.rest, picture.kinds.hoist.rest));
+    shader_.set("color", ghostly);
+    shader_.set("width", 1.6f);
+    shader_.set("opacity", 0.8f);
     draw_kind(grid, {1, 0}, picture.kinds.fly);
     draw_kind(grid, {0, 1}, picture.kinds.hoist);
 }

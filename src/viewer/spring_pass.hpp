@@ -14,6 +14,8 @@ public:
     SpringPass() : nothing_(make_vertex_array()) {}
 
     void draw(const GridTextures& grid, const Picture& picture, const FlagTexture& texture) const;
+    /// Springs along the fly and the hoist, in one colour, in front of what is as far away.
+    void draw_wireframe(const GridTextures& grid, const Picture& picture) const;
 
 private:
     void draw_kind(const GridTextures& grid, glm::ivec2 offset, const SpringKind& kind) const;

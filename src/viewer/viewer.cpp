@@ -187,6 +187,8 @@ void Viewer::send_settings() {
     else if (changed)
         simulation_.apply(app_.scene, ++revision_);
     if (app_.commands.restart || changed) sent_ = app_.scene;
+    simulation_.follow_reference(app_.scene.view.reference);
+    if (app_.commands.restart_reference) simulation_.restart_reference();
 }
 
 void Viewer::keep_proportions() {
@@ -212,6 +214,22 @@ void Viewer::hear_of_run() {
         opening_.reset();
     }
     if (!moment_.failure.empty()) opening_.reset();
+}
+
+void Viewer::receive_reference() {
+    auto& gap = app_.status.reference;
+    if (!app_.scene.view.reference) return gap.reset();
+    if (simulation_.take_reference(reference_)) {
+        renderer_.upload_reference(reference_.snapshot);
+        gap = ReferenceGap{.since = reference_.since,
+                           .time = reference_.snapshot.time,
+                           .rms = reference_.rms,
+                           .greatest = reference_.greatest,
+                           .dt = reference_.dt,
+                           .trouble = {}};
+    }
+    if (const std::string trouble = simulation_.reference_trouble(); !trouble.empty())
+        gap = ReferenceGap{.trouble = trouble};
 }
 
 void Viewer::receive(double passed) {
@@ -244,6 +262,7 @@ void Viewer::receive(double passed) {
         status.step_seconds = moment_.step_seconds;
         status.force_scale = force_scale_.newtons();
     }
+    receive_reference();
     status.settling = simulation_.settling();
     if (runs())
         pacer_.observe(wall_, status.time);

@@ -60,6 +60,7 @@ private:
     void adopt(LoadedScene loaded);
     void set_image(const std::filesystem::path& file, std::optional<Image> image);
     void receive(double wall_seconds);
+    void receive_reference();
     void hear_of_run();
     void keep_proportions();
     void take_screenshot(const std::filesystem::path& file);
@@ -85,8 +86,9 @@ private:
     ForceScale force_scale_;
 
     Moment moment_;
-    Scene sent_;              // the scene the simulation was last given
-    long long revision_ = 0;  // of sent_
+    ReferenceRun::Gap reference_;  // as it was last compared
+    Scene sent_;                   // the scene the simulation was last given
+    long long revision_ = 0;       // of sent_
     RunMessages run_messages_;
     std::optional<LoadedScene> opening_;  // until the simulation has taken it
 

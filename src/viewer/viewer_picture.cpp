@@ -69,6 +69,7 @@ Picture Viewer::picture() const {
             .springs = view.springs,
             .forces = view.forces,
             .masses = view.masses,
+            .reference = app_.status.reference && app_.status.reference->trouble.empty(),
             .kinds = moment_.kinds,
             .force_scale = float(app_.status.force_scale),
             .hidden = pixels_under(app_.panel_area, pixel_scale, target_.height()),
@@ -170,6 +171,7 @@ void Viewer::write_map() {
     map_.state("resting", rest_seconds_ > 0.0 ? "1" : "0");
     map_.state("help", app_.help_shown ? "1" : "0");
     map_.state("force_scale", status.force_scale);
+    map_.state("reference_mm", status.reference ? 1e3 * status.reference->rms : -1.0);
     map_.state("gl_errors", gl_errors_.count());
     map_.write();
 }

@@ -140,9 +140,9 @@ TEST_CASE("force colours are redder where springs carry more, with a legend in n
 }
 
 TEST_CASE_METHOD(StillFlag, "every key of the view does what its switch does") {
-    for (const auto& [key, label] :
-         {std::pair{"t", "Texture"}, std::pair{"s", "Springs"}, std::pair{"d", "Diagonals"},
-          std::pair{"f", "Force colours"}, std::pair{"m", "Masses"}, std::pair{"c", "Cloth"}}) {
+    for (const auto& [key, label] : {std::pair{"t", "Texture"}, std::pair{"s", "Springs"}, std::pair{"d", "Diagonals"},
+                                     std::pair{"f", "Force colours"}, std::pair{"m", "Masses"}, std::pair{"c", "Cloth"},
+                                     std::pair{"g", "Reference"}}) {
         CAPTURE(key);
         const std::string before = app.settle().controls.at(label).value;
         app.press(key);
@@ -164,4 +164,23 @@ TEST_CASE_METHOD(StillFlag, "every key of the view does what its switch does") {
     screen.xdotool({"key", "ctrl+q"});
     CHECK(app.process().wait() == 0);
     CHECK(app.process().errors().empty());
+}
+
+TEST_CASE("a reference flies along as a wireframe, and its distance is shown in millimetres") {
+    const Screen screen;
+    App app(screen, {"report", "--size", "900x640"});
+    CHECK(app.settle().number("reference_mm") == -1.0);
+    app.press("g");
+    const auto apart = [](const Look& look) { return look.number("reference_mm") > 0.0; };
+    app.wait_until("a distance", apart);
+    CHECK(app.look().controls.at("Reading: Reference").value.find("mm") != std::string::npos);
+    app.press("space");
+    app.wait_until("the pause", [](const Look& look) { return look.number("paused") == 1; });
+    app.settle();
+    const Box flag = app.settle().box("flag");
+    const auto with = app.picture();
+    app.press("g");
+    CHECK(app.settle().number("reference_mm") == -1.0);
+    CHECK(changed(with, app.picture(), flag).count() > 2000);  // its lines are gone
+    app.check_healthy();
 }
