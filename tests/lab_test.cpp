@@ -164,9 +164,8 @@ TEST_CASE("results are a table for a person, a JSON object and a CSV row for pro
     const auto outcome = bench.run("run storm --seconds 0.1 --dt 0.0001 --json r.json --csv r.csv");
     REQUIRE(outcome.status == 0);
     CHECK(outcome.messages.empty());  // no progress bar in a pipe
-    for (const std::string part :
-         {"Storm", "50 x 30", "semi-implicit-euler", "float", "0.1000 s", "1000", "% of the bound", "ms",
-          "real-time factor", " J", " %", " N", "state hash"}) {
+    for (const std::string part : {"Storm", "50 x 30", "semi-implicit-euler", "float", "0.1000 s", "1000",
+                                   "% of the bound", "ms", "real-time factor", " J", " %", " N", "state hash"}) {
         INFO(part << " in " << outcome.output);
         CHECK(has(outcome.output, part));
     }

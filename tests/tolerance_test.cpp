@@ -199,7 +199,8 @@ TEST_CASE("A wind that changes does not make the step chatter", "[accuracy]") {
     CHECK(changes <= estimates / 4);  // six estimates a cycle at least, and fewer than that
 }
 
-TEST_CASE("The step shrinks after two estimates in a row or one far above, grows after four, and stays in between", "[accuracy]") {
+TEST_CASE("The step shrinks after two estimates in a row or one far above, grows after four, and stays in between",
+          "[accuracy]") {
     const double usual = batch_seconds / 20.0, dt = batch_seconds / 100.0, tolerance = 1e-3;
     const auto above = estimate_of(1.6e-3, dt), below = estimate_of(0.3e-3, dt), near = estimate_of(0.95e-3, dt);
     ToleranceStep step;

@@ -41,11 +41,11 @@ std::vector<Result> results_of(const Simulation& simulation, int threads, const 
     // Neither is known of a run that took no step.
     const double milliseconds = time > 0.0 ? 1e3 * cost.processor / time : NAN;
     const double real_time = time > 0.0 ? time / cost.wall : NAN;
-    const std::string of_limit = limit.is_none() ? "no step is known to be stable"
-                                 : limit.is_unlimited()
-                                     ? "every step is stable"
-                                     : rounded(100.0 * simulation.dt() / limit.seconds(), 3) +
-                                           " % of the bound that is stable in any shape, " + with_unit(limit.seconds(), "s");
+    const std::string of_limit = limit.is_none()        ? "no step is known to be stable"
+                                 : limit.is_unlimited() ? "every step is stable"
+                                                        : rounded(100.0 * simulation.dt() / limit.seconds(), 3) +
+                                                              " % of the bound that is stable in any shape, " +
+                                                              with_unit(limit.seconds(), "s");
     const std::string hash = fmt::format("{:016x}", simulation.state_hash());
 
     std::vector<Result> results;

@@ -66,9 +66,8 @@ std::string cause_and_remedy(Method method, const Divergence& d) {
         case Divergence::Cause::past_the_limit:
             if (d.limit.is_none())
                 return fmt::format("{} has no stable step without drag or friction: choose semi-implicit-euler", name);
-            return fmt::format(
-                "the step {} is above {}, up to which {} is stable however these springs lie; {}", step, limit, name,
-                remedy);
+            return fmt::format("the step {} is above {}, up to which {} is stable however these springs lie; {}", step,
+                               limit, name, remedy);
         case Divergence::Cause::too_soft:
             return fmt::format(
                 "at steps of {} {} makes these springs so much too soft that they hold more energy than there is; {}",

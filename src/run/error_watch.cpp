@@ -1,11 +1,11 @@
 #include "run/error_watch.hpp"
 
+#include "run/step_aside.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <system_error>
 #include <utility>
-
-#include <unistd.h>
 
 namespace drapeau {
 namespace {
@@ -48,8 +48,7 @@ void ErrorWatch::begin_batch(Mode mode, Engine& engine, const TimeSettings& sett
     const bool aside = mode == Mode::aside;
     auto work = [aside, settings, precision, dt = now.clock.dt, model = engine.model(), stop = stop.get(),
                  window = ErrorWindow{engine.state(now.time()), now.time()}] {
-        constexpr int below_others = 10;
-        if (aside) static_cast<void>(nice(below_others));  // on Linux of this thread alone
+        if (aside) step_aside();
         return measure_error(model, settings.method, precision, window, dt, stop, settings.half_kick_start);
     };
     try {

@@ -1,6 +1,7 @@
 #include "run/reference_run.hpp"
 
 #include "io/error.hpp"
+#include "run/step_aside.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -92,6 +93,7 @@ std::string ReferenceRun::trouble() const {
 
 // One moment of the run after the other; the last word of a reference that cannot go on is why.
 void ReferenceRun::work(const Scene& scene, const State<double>& start, double time) {
+    step_aside();
     std::string trouble;
     try {
         Simulation reference(reference_of(scene));

@@ -3,9 +3,9 @@
 //   dt_a = dt clip(0.9 (tolerance/error)^(1/p), 1/2, 2)
 //
 // A wind that changes must not make the step follow every gust: it shrinks when two estimates in a row are above the
-// tolerance, or one is more than twice the tolerance, and grows when four in a row would do with fewer than 1/1.2 of the steps. The 0.9 and the 1.2 leave at
-// most a quarter of the steps more than the tolerance needs. Where the error is not resolvable the step stays, unless
-// it is too coarse for its order to show: then only a smaller one can tell.
+// tolerance, or one is more than twice the tolerance, and grows when four in a row would do with fewer than 1/1.2 of
+// the steps. The 0.9 and the 1.2 leave at most a quarter of the steps more than the tolerance needs. Where the error is
+// not resolvable the step stays, unless it is too coarse for its order to show: then only a smaller one can tell.
 #pragma once
 
 #include "run/error_estimate.hpp"
