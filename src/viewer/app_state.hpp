@@ -39,6 +39,9 @@ struct ReferenceGap {
     double rms = 0.0, greatest = 0.0;  // m
     double dt = 0.0;                   // s, the reference's step
     std::string trouble;               // why there is none; empty while there is one
+
+    /// Whether the reference is noticeably behind a run that is at `now` (s).
+    bool lags(double now) const { return now - time > 0.25; }
 };
 
 /// What the panels show of the run.

@@ -160,15 +160,15 @@ void show_reference(const Status& s, Widgets& widgets) {
         return widgets.reading("Reference", "none", tip.c_str(), Widgets::Mood::close);
     }
     const double passed = gap.time - gap.since, behind = s.time - gap.time;
-    constexpr double noticed = 0.25;  // s
     tip += fmt::format(
         "\nThe mass furthest from it is {} mm away. The reference is computed by rk4 in double at steps of {}, on a "
-        "spare thread, from t = {:.2f} s on. It is at t = {:.2f} s, and so is its wireframe.",
+        "spare thread, from t = {:.2f} s on. It is at t = {:.2f} s, and so is its wireframe, faint while that is "
+        "behind.",
         millimetres(gap.greatest), quantity(gap.dt, "s"), gap.since, gap.time);
     widgets.reading(
         "Reference",
         millimetres(gap.rms) + " mm " +
-            (behind > noticed ? fmt::format("({:.1f} s behind)", behind) : fmt::format("after {:.1f} s", passed)),
+            (gap.lags(s.time) ? fmt::format("({:.1f} s behind)", behind) : fmt::format("after {:.1f} s", passed)),
         tip.c_str());
 }
 

@@ -56,7 +56,7 @@ struct Picture {
     bool springs = false;
     bool forces = false;
     bool masses = false;
-    bool reference = false;    // its wireframe
+    float reference = 0.0f;    // opacity of its wireframe; 0: there is none
     SpringKinds kinds;         // of springs
     float force_scale = 1.0f;  // N, of the reddest colour
     glm::ivec4 hidden{0};      // x, y, width, height of what panels will cover, pixels from below: not drawn

@@ -55,7 +55,7 @@ void Renderer::draw_scene(const Picture& picture, glm::vec2 size) {
     const bool chain = grid_.columns() == 1 || grid_.rows() == 1;
     if (picture.springs || picture.forces || chain) springs_.draw(grid_, picture, texture_);
     if (picture.masses || chain) masses_.draw(grid_, picture);
-    if (picture.reference) {
+    if (picture.reference > 0.0f) {
         reference_.bind();
         springs_.draw_wireframe(reference_, picture);
     }

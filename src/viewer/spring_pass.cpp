@@ -51,7 +51,7 @@ void SpringPass::draw_wireframe(const GridTextures& grid, const Picture& picture
     shader_.set("lift", 0.24f * std::min(picture.kinds.fly.rest, picture.kinds.hoist.rest));
     shader_.set("color", ghostly);
     shader_.set("width", 1.6f);
-    shader_.set("opacity", 0.8f);
+    shader_.set("opacity", picture.reference);
     draw_kind(grid, {1, 0}, picture.kinds.fly);
     draw_kind(grid, {0, 1}, picture.kinds.hoist);
 }

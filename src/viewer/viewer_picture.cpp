@@ -55,6 +55,12 @@ Area around_masses(const FieldBuffer<float>& position, const glm::mat4& to_clip,
     return area;
 }
 
+/// A wireframe that is behind in time is faint: it shows where the reference was, not how far the flag is from it.
+float reference_opacity(const Status& status) {
+    if (!status.reference || !status.reference->trouble.empty()) return 0.0f;
+    return status.reference->lags(status.time) ? 0.25f : 0.8f;
+}
+
 }  // namespace
 
 Picture Viewer::picture() const {
@@ -69,7 +75,7 @@ Picture Viewer::picture() const {
             .springs = view.springs,
             .forces = view.forces,
             .masses = view.masses,
-            .reference = app_.status.reference && app_.status.reference->trouble.empty(),
+            .reference = reference_opacity(app_.status),
             .kinds = moment_.kinds,
             .force_scale = float(app_.status.force_scale),
             .hidden = pixels_under(app_.panel_area, pixel_scale, target_.height()),
