@@ -52,8 +52,8 @@ int price(const PriceOptions& options) {
     PriceStudy study(request, [&](double share) {
         if (progress) progress->show(share);
     });
-    complain(program, fmt::format("{} parts, about {}, at most {}", study.parts().size(),
-                                  duration(study.estimate()), duration(request.budget)));
+    complain(program, fmt::format("{} parts, about {}, at most {}", study.parts().size(), duration(study.estimate()),
+                                  duration(request.budget)));
     progress.emplace();
     const auto diverged = [&](const std::string& when, const std::string& how) {
         progress.reset();

@@ -13,8 +13,8 @@ namespace drapeau::lab {
 
 namespace {
 
-constexpr int most_rounds = 10, least_rounds = 2;
-constexpr double long_enough = 0.015;  // s, that a turn lasts
+constexpr int most_rounds = 30, least_rounds = 4;
+constexpr double long_enough = 6e-3;  // s, that a turn lasts
 
 /// A scene that takes turns, and the least of its even and of its odd ones.
 struct Contender {
@@ -84,6 +84,11 @@ Costs costs_of(const std::vector<Scene>& scenes, const Ground& ground, double se
             costs.of[n].ms_per_second = std::min(contenders[n].least[0], contenders[n].least[1]);
     costs.resolution = resolution_of(contenders, costs.first());
     return costs;
+}
+
+double step_of(const Scene& scene, const Ground& ground) {
+    Contender contender{scene, stretch_on(scene, ground)};
+    return first_run(contender).dt;
 }
 
 Scene at_step(const Scene& scene, double dt) {

@@ -26,9 +26,12 @@ struct Costs {
     }
 };
 
-/// `seconds`: of time on the wall that the rounds may take; two are made at least.
+/// `seconds`: of time on the wall that the rounds may take; four are made at least.
 Costs costs_of(const std::vector<Scene>& scenes, const Ground& ground, double seconds,
                const std::function<void()>& tick);
+
+/// The step (s) that a scene takes at the end of the stretch.
+double step_of(const Scene& scene, const Ground& ground);
 
 /// The scene at a given step (s).
 Scene at_step(const Scene& scene, double dt);

@@ -68,13 +68,15 @@ std::vector<PriceStudy::Candidate> PriceStudy::candidates(const Scene& scene, co
 /// Drops the candidate of least effect that saves time; false if there is none.
 bool PriceStudy::drop_one(Reduction& reduction, const Prices& prices, std::vector<Part>& useless) {
     for (const Candidate& candidate : candidates(reduction.scene, prices, useless)) {
-        const Costs costs = this->costs({request_.scene, reduction.scene, candidate.part.without}, *ground_, 0.05);
-        const double bought = costs.saved(1, 2);
+        std::vector<Scene> scenes{request_.scene, candidate.part.without};
+        if (!reduction.dropped.empty()) scenes.push_back(reduction.scene);
+        const Costs costs = this->costs(scenes, *ground_, 0.05);
+        const double bought = costs.saved(scenes.size() == 3 ? 2 : 0, 1);
         if (!(bought > costs.resolution)) {
             useless.push_back(candidate.part);
             continue;
         }
-        reduction.dropped.push_back({candidate.part, candidate.effect, costs.saved(0, 2), bought, candidate.alone});
+        reduction.dropped.push_back({candidate.part, candidate.effect, costs.saved(0, 1), bought, candidate.alone});
         reduction.scene = candidate.part.without;
         return true;
     }

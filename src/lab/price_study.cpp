@@ -3,7 +3,7 @@
 #include "io/error.hpp"
 #include "io/text.hpp"
 #include "clocks.hpp"
-#include "run_cost.hpp"
+#include "run/step_choice.hpp"
 #include "swing_in.hpp"
 
 #include "drapeau/stability.hpp"
@@ -36,13 +36,15 @@ PriceStudy::PriceStudy(const PriceRequest& request, Tick tick)
     constexpr double usual_search = 3.0;  // of the least
     constexpr double a_turn = 0.2;        // s, that the cost of one scene takes
     check_that_it_moves(model_);
+    chosen_precision(request.scene, model_, chosen_step(request.scene, model_, false, 1.0));  // whether it can be run
     if (parts_.empty()) throw InputError("nothing in this scene can be left out");
     const double step = std::min(stable_step(Rk4{}, model_).seconds(), batch_seconds);
     a_second_ = measured_unit(model_) * step_cost(model_, method_id<Rk4>) / step;
 
-    // The scene's reference, and every effect takes about as long; twice more to confirm and to check what is left.
+    // The scene's reference, and every effect takes about as long. With a tolerance about half as many effects again,
+    // and two more references, to confirm and to check what is left.
     const double parts = static_cast<double>(parts_.size());
-    const double searches = 1.0 + (request_.tolerance ? 2.0 * parts + 4.0 : parts);
+    const double searches = 1.0 + (request_.tolerance ? 1.5 * parts + 4.0 : parts);
     const double compared = static_cast<double>(request_.batches) * batch_seconds;
     const double swing = 2.0 * a_second_ * request_.settle;
     const double least = swing + searches * flights * a_second_ * compared;
@@ -132,9 +134,9 @@ Costs PriceStudy::costs(const std::vector<Scene>& scenes, const Ground& ground, 
 
 Prices PriceStudy::measure() {
     Prices prices;
-    std::vector<Scene> scenes{request_.scene};
     const bool is_given = request_.scene.time.dt.has_value();
-    const double dt = simulation_at(request_.scene, ground_->stretch).dt();
+    const double dt = step_of(request_.scene, *ground_);
+    std::vector<Scene> scenes{request_.scene, at_step(request_.scene, dt)};
     std::vector<std::size_t> places;  // in the scenes: without the part at the scene's step; its own step follows
     for (const Part& part : parts_) {
         Priced& priced = prices.parts.emplace_back();
@@ -155,8 +157,8 @@ Prices PriceStudy::measure() {
         Priced& priced = prices.parts[n];
         if (!priced.part.impossible.empty()) continue;
         const std::size_t same = places[n], own = is_given ? same : same + 1;
-        priced.cost_same_step = costs.saved(0, same);
         priced.cost = costs.saved(0, own);
+        priced.cost_same_step = is_given ? priced.cost : costs.saved(1, same);
         priced.dt = costs.of[own].dt;
         priced.effect = effect(priced.part.without, *ground_);
         priced.remark = !costs.of[own].remark.empty() ? costs.of[own].remark : priced.effect.remark;
