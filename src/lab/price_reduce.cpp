@@ -70,7 +70,7 @@ bool PriceStudy::drop_one(Reduction& reduction, const Prices& prices, std::vecto
     for (const Candidate& candidate : candidates(reduction.scene, prices, useless)) {
         std::vector<Scene> scenes{request_.scene, candidate.part.without};
         if (!reduction.dropped.empty()) scenes.push_back(reduction.scene);
-        const Costs costs = this->costs(scenes, *ground_, 0.05);
+        const Costs costs = this->costs(scenes, *ground_, 0.15);
         const double bought = costs.saved(scenes.size() == 3 ? 2 : 0, 1);
         if (!(bought > costs.resolution)) {
             useless.push_back(candidate.part);
@@ -97,7 +97,7 @@ void PriceStudy::confirm(Reduction& reduction) {
     if (reduction.dropped.empty()) return;
     const Ground third = after(second);
     reduction.check = effect(reduction.scene, third);
-    const Costs costs = this->costs({request_.scene, reduction.scene}, third, 0.2);
+    const Costs costs = this->costs({request_.scene, reduction.scene}, third, 0.3);
     reduction.before = costs.of[0];
     reduction.after = costs.of[1];
     reduction.measured = costs.saved(0, 1);
