@@ -209,19 +209,24 @@ TEST_CASE("the reduced scene is the scene without what is listed, holds, runs fa
     CHECK(bench.run("run less.toml --seconds 0.5").status == 0);
 }
 
-TEST_CASE("the order in which parts are left out is that of their effects, each alone within the tolerance") {
+TEST_CASE("what changes the motion least is left out first, if it saves time") {
     const Bench bench;
-    bench.write("fall.toml",
-                "[flag]\ncolumns = 33\nrows = 33\nwidth = 0.8\nheight = 0.8\nattach = \"none\"\ndisturbance = 0\n"
+    // Taut and let go from a stretched start: diagonals and grid both cost much, and matter differently.
+    bench.write("drum.toml",
+                "[flag]\ncolumns = 25\nrows = 25\nwidth = 0.8\nheight = 0.8\nattach = \"edges\"\nprestretch = 0.05\n"
                 "[springs]\nmass = 0.001\nstiffness = 50\ndiagonal_stiffness = 25\ndrag = 0.002\n[gravity]\n");
-    const Json found = price(bench, "fall.toml --settle 0 --seconds 0.1 --tolerance 1cm");
-    double last = 0.0;
+    const Json found = price(bench, "drum.toml --settle 0.1 --seconds 0.1 --tolerance 1m");
+    const auto distance = [](const Json& one) {
+        return std::max(one["effect_rms_m"].get<double>(), one["effect_over_time_m"].get<double>());
+    };
+    const Json diagonals = term(found, "springs.diagonal_stiffness"), grid = term(found, "flag");
+    const Json& least = distance(diagonals) < distance(grid) ? diagonals : grid;
+    REQUIRE(distance(diagonals) != distance(grid));
     REQUIRE_FALSE(found["reduced"]["left_out"].empty());
+    CHECK(distance(found["reduced"]["left_out"][0]) <= distance(least));
     for (const Json& one : found["reduced"]["left_out"]) {
-        CHECK(one["effect_rms_m"] <= 0.01);
-        CHECK(one["effect_rms_m"].get<double>() >= last - 1e-12);
+        CHECK(distance(one) <= 1.0);
         CHECK(one["bought_percent"] > 0.0);
-        last = one["effect_rms_m"];
     }
 }
 

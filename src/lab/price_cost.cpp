@@ -13,8 +13,9 @@ namespace drapeau::lab {
 
 namespace {
 
-constexpr int most_rounds = 30, least_rounds = 4;
+constexpr int most_rounds = 300, least_rounds = 4, usual_rounds = 20;
 constexpr double long_enough = 6e-3;  // s, that a turn lasts
+constexpr double finest = 0.01;       // share: no smaller difference is looked for
 
 /// A scene that takes turns, and the least of its even and of its odd ones.
 struct Contender {
@@ -48,14 +49,13 @@ Cost first_run(Contender& contender) {
 
 /// What the even turns and the odd ones differ by, as a share of the first scene's time: twice their root mean square.
 double resolution_of(const std::vector<Contender>& contenders, double first) {
-    constexpr double least = 0.01;
     double squares = 0.0, count = 0.0;
     for (const Contender& contender : contenders) {
         if (contender.times == 0) continue;
         const double off = (contender.least[0] - contender.least[1]) / first;
         squares += off * off, count += 1.0;
     }
-    return std::max(least, 2.0 * std::sqrt(squares / std::max(count, 1.0)));
+    return std::max(finest, 2.0 * std::sqrt(squares / std::max(count, 1.0)));
 }
 
 }  // namespace
@@ -69,9 +69,12 @@ Costs costs_of(const std::vector<Scene>& scenes, const Ground& ground, double se
         costs.of.push_back(first_run(contenders.back()));
         tick();
     }
+    const auto least_of = [](const Contender& contender) { return std::min(contender.least[0], contender.least[1]); };
     const double began = wall_seconds();
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < most_rounds && contenders.front().times > 0; ++round) {
         if (round >= least_rounds && wall_seconds() - began > seconds) break;
+        // On a busy machine more are made.
+        if (round >= usual_rounds && resolution_of(contenders, least_of(contenders.front())) <= finest) break;
         for (Contender& contender : contenders) {
             if (contender.times == 0) continue;
             double& least = contender.least[static_cast<std::size_t>(round % 2)];
@@ -80,8 +83,7 @@ Costs costs_of(const std::vector<Scene>& scenes, const Ground& ground, double se
         }
     }
     for (std::size_t n = 0; n < contenders.size(); ++n)
-        if (contenders[n].times > 0)
-            costs.of[n].ms_per_second = std::min(contenders[n].least[0], contenders[n].least[1]);
+        if (std::isfinite(least_of(contenders[n]))) costs.of[n].ms_per_second = least_of(contenders[n]);
     costs.resolution = resolution_of(contenders, costs.first());
     return costs;
 }

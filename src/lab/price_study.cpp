@@ -32,29 +32,34 @@ PriceStudy::PriceStudy(const PriceRequest& request, Tick tick)
       parts_(parts_of(request.scene)),
       model_(model_of(request.scene)),
       began_(wall_seconds()) {
-    constexpr double flights = 12.0;      // at rk4's limit, that a reference or an effect takes at least
-    constexpr double usual_search = 3.0;  // of the least
-    constexpr double a_turn = 0.2;        // s, that the cost of one scene takes
     check_that_it_moves(model_);
     chosen_precision(request.scene, model_, chosen_step(request.scene, model_, false, 1.0));  // whether it can be run
     if (parts_.empty()) throw InputError("nothing in this scene can be left out");
     const double step = std::min(stable_step(Rk4{}, model_).seconds(), batch_seconds);
     a_second_ = measured_unit(model_) * step_cost(model_, method_id<Rk4>) / step;
 
-    // The scene's reference, and every effect takes about as long. With a tolerance about half as many effects again,
-    // and two more references, to confirm and to check what is left.
+    list_times();
+}
+
+/// The scene's reference, and every effect takes about as long. With a tolerance about half as many effects again, and
+/// two more references, to confirm and to check what is left.
+void PriceStudy::list_times() {
+    // At rk4's limit, flights that take as long as the least that a reference, and an effect, may do with.
+    constexpr double for_reference = 20.0, for_effect = 7.0;
+    constexpr double usual_search = 36.0;  // the same, as it is usually
+    constexpr double a_turn = 0.3;         // s, that the cost of one scene takes
     const double parts = static_cast<double>(parts_.size());
-    const double searches = 1.0 + (request_.tolerance ? 1.5 * parts + 4.0 : parts);
-    const double compared = static_cast<double>(request_.batches) * batch_seconds;
+    const double a_flight = a_second_ * static_cast<double>(request_.batches) * batch_seconds;
     const double swing = 2.0 * a_second_ * request_.settle;
-    const double least = swing + searches * flights * a_second_ * compared;
+    const double least = swing + (for_reference + for_effect * parts) * a_flight;
     if (least > request_.budget)
         throw InputError(
             fmt::format("--budget: swinging in and the flights with and without each part take about {} "
                         "min, and {} min is allowed; allow more, or compare fewer --seconds",
                         rounded(least / 60.0, 2), rounded(request_.budget / 60.0, 3)));
-    search_seconds_ = std::max(for_flights * request_.budget, least) / searches;
-    const double usual = std::min(usual_search * flights * a_second_ * compared, search_seconds_);
+    const double searches = 1.0 + (request_.tolerance ? 1.5 * parts + 4.0 : parts);
+    search_seconds_ = std::max(for_flights * request_.budget / searches, for_reference * a_flight);
+    const double usual = std::min(usual_search * a_flight, search_seconds_);
     estimate_ = std::min(request_.budget, swing + searches * usual + 2.0 * a_turn * (parts + 1.0));
 }
 
@@ -97,7 +102,9 @@ std::optional<std::string> PriceStudy::prepare() {
         is_shortened_ = trusted < request_.batches;
         request_.batches = std::min(trusted, request_.batches);
     }
+    const double before = wall_seconds();
     ground_ = ground_at(swung.state, swung.time);
+    reference_seconds_ = wall_seconds() - before;
     return {};
 }
 

@@ -98,6 +98,7 @@ private:
     double elapsed() const;
     bool may_go_on() const { return elapsed() < request_.budget; }
     void tell() const;
+    void list_times();
     double goal() const;
     Ground ground_at(const State<double>& start, double time) const;
     Ground after(const Ground& ground) const;
@@ -111,9 +112,10 @@ private:
     Tick tick_;
     std::vector<Part> parts_;
     Model model_;
-    double a_second_ = 0.0;        // s on the wall, of a simulated second at rk4's limit
-    double search_seconds_ = 0.0;  // for the reference of a stretch
-    double effect_seconds_ = 0.0;  // that the last effect took
+    double a_second_ = 0.0;           // s on the wall, of a simulated second at rk4's limit
+    double search_seconds_ = 0.0;     // that a reference may take
+    double reference_seconds_ = 0.0;  // that the scene's took
+    double effect_seconds_ = 0.0;     // that the last effect took
     double estimate_ = 0.0;
     double began_ = 0.0;
     std::optional<Ground> ground_;
