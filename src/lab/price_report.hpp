@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -18,7 +19,7 @@ std::string reduction_text(const PriceStudy& study, const Prices& prices, const 
 /// Whether something was left out, and its check held.
 bool holds(const PriceStudy& study, const Reduction& reduction);
 
-/// The scene that is left, each thing left out as a comment; `saved` as it is to be written.
+/// The scene that is left as a file, each thing left out as a comment. `file`: the scene's own.
 std::string reduced_text(const PriceStudy& study, const Reduction& reduction, const std::filesystem::path& file);
 
 nlohmann::ordered_json as_json(const PriceStudy& study, const Prices& prices,
