@@ -230,6 +230,23 @@ TEST_CASE("what changes the motion least is left out first, if it saves time") {
     }
 }
 
+TEST_CASE("what holds in the time compared but not in the time that follows is put back") {
+    const Bench bench;
+    // Held at its top and let go: the uppermost springs are 16 % longer after 1/30 s, and would be 66 % longer after
+    // 1/15 s.
+    bench.write("hung.toml",
+                "[flag]\ncolumns = 16\nrows = 16\nwidth = 0.5\nheight = 0.5\nattach = \"top\"\n"
+                "[springs]\nmass = 0.001\nstiffness = 0.1\n[gravity]\n[limit]\nstretch = 0.5\n[time]\ndt = 0.001\n");
+    const Json found = price(bench, "hung.toml --settle 0 --seconds 0.0333333 --tolerance 0.1mm --write less.toml", 1);
+    CHECK(term(found, "limit")["effect_rms_m"] == 0.0);
+    const Json& reduced = found["reduced"];
+    REQUIRE(keys_of(reduced["put_back"]) == std::vector<std::string>{"limit"});
+    CHECK(reduced["left_out"].empty());
+    CHECK(reduced["holds"] == false);
+    CHECK(reduced["confirmed"]["effect_over_time_m"] > 1e-4);
+    CHECK(bench.files() == std::vector<std::string>{"hung.toml", "p.json"});
+}
+
 TEST_CASE("where nothing can be left out within the tolerance that is said and nothing is saved") {
     const Bench bench;
     const Outcome outcome = bench.run("price spring --tolerance 1nm --write less.toml");

@@ -22,7 +22,8 @@ constexpr const char* price_notes =
     "smaller without a part: costs are given with that step and at the scene's own.\n\n"
     "--tolerance leaves out one part after the other, the least effect first, as long as all of it together stays\n"
     "within that distance and each saves time that can be measured; then what is left is looked at in the time that\n"
-    "follows, and checked and timed in the time after that. It is known to hold for as long, from states of the scene as\n"
+    "follows, and checked and timed in the time after that. It is known to hold for as long, from states of the scene "
+    "as\n"
     "given; for what matters in the long run compare statistics over many --seconds.\n\n"
     "Example: drapeau-lab price report --tolerance 1mm --write less.toml\n"
     "Exit status: 0 good, 1 nothing can be left out within --tolerance or its check failed, 2 bad input, 3 diverged.";

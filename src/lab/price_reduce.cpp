@@ -110,12 +110,13 @@ Reduction PriceStudy::reduce(const Prices& prices) {
     std::vector<Part> useless;  // within the tolerance, but saves nothing that can be measured
     const auto within = std::count_if(prices.parts.begin(), prices.parts.end(),
                                       [&](const Priced& p) { return p.effect.is_within(*request_.tolerance); });
-    do {
+    for (bool goes_on = within > 0; goes_on;) {
         // In the first round all effects are known.
         const double round = reduction.dropped.empty() ? 0.0 : effect_seconds_ * static_cast<double>(within);
         const double check = 2.0 * (reference_seconds_ + effect_seconds_);
         reduction.is_cut_short = elapsed() + round + check > request_.budget;
-    } while (!reduction.is_cut_short && drop_one(reduction, prices, useless));
+        goes_on = !reduction.is_cut_short && drop_one(reduction, prices, useless);
+    }
     if (reduction.dropped.empty())
         reduction.nearest = nearest_of(prices);
     else

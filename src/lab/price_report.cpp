@@ -105,6 +105,7 @@ nlohmann::ordered_json reduction_json(const PriceStudy& study, const Reduction& 
     for (const Dropped& one : reduction.dropped) dropped.push_back(dropped_json(study, one));
     auto& back = json["put_back"] = nlohmann::ordered_json::array();
     for (const Dropped& one : reduction.put_back) back.push_back(dropped_json(study, one));
+    json["nearest"] = reduction.nearest ? dropped_json(study, *reduction.nearest) : nlohmann::ordered_json(nullptr);
     json["confirmed"] = effect_json(study, reduction.confirmed);
     json["check"] = effect_json(study, reduction.check);
     json["promised_percent"] = 100.0 * reduction.promised();
@@ -122,8 +123,8 @@ std::string compared_text(const PriceStudy& study) {
     std::string text = fmt::format("{}: {} compared, after {} to swing in; flown by rk4 in double at {}\n",
                                    ground.variant.scene.name, span_of(study), quantity(ground.stretch.time, "s"),
                                    quantity(batch_seconds / static_cast<double>(ground.reference.rk4_steps), "s"));
-    text += fmt::format("  so the scene's own motion is known to {} (rms), which leapfrog confirms to {}\n",
-                        metres(ground.reference.error()), metres(ground.reference.methods_apart));
+    text += fmt::format("  so the scene's own motion is known to {} (rms), which leapfrog confirms\n",
+                        metres(ground.reference.error()));
     text += growth_text(study.growth(), study.request().tolerance.value_or(1e-3));
     if (study.is_shortened()) text += shortened_text;
     if (study.is_beyond_horizon())

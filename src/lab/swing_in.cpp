@@ -67,17 +67,23 @@ void check_that_it_moves(const Model& model) {
 }
 
 double measured_unit(const Model& model) {
-    constexpr double long_enough = 0.02;  // s
+    constexpr double long_enough = 0.01;  // s
+    constexpr int turns = 3;              // the least of them: another program may hold one up
     const auto engine = make_engine(model, method_id<Rk4>, Precision::double_precision);
     const double dt = std::min(0.1 * stable_step(Rk4{}, model).seconds(), batch_seconds);
-    const double began = wall_seconds();
+    double least = INFINITY;
     long long done = 0;
-    for (long long steps = 1; wall_seconds() - began < long_enough; steps *= 2) {
-        Report report;
-        engine->advance({.dt = dt}, done, done + steps, no_step, report, nullptr);
-        done += steps;
+    for (int turn = 0; turn < turns; ++turn) {
+        const double began = wall_seconds();
+        const long long before = done;
+        for (long long steps = 1; wall_seconds() - began < long_enough; steps *= 2) {
+            Report report;
+            engine->advance({.dt = dt}, done, done + steps, no_step, report, nullptr);
+            done += steps;
+        }
+        least = std::min(least, (wall_seconds() - began) / static_cast<double>(done - before));
     }
-    return (wall_seconds() - began) / (static_cast<double>(done) * engine->step_cost());
+    return least / engine->step_cost();
 }
 
 }  // namespace drapeau::lab
