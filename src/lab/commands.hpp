@@ -16,6 +16,7 @@ using Job = std::function<int()>;
 
 Job add_run(CLI::App& command);
 Job add_trade(CLI::App& command);
+Job add_price(CLI::App& command);
 Job add_stability(CLI::App& command);
 
 /// What every command asks for.

@@ -69,8 +69,8 @@ Tip tip_of(const Model& model) {
 }
 
 std::optional<Flight> fly(const Model& model, Method method, long long steps_a_batch, const Stretch& stretch,
-                          Yardstick& yardstick, const std::function<bool()>& may_go_on) {
-    const auto engine = make_engine(model, method, Precision::double_precision);
+                          Yardstick& yardstick, const std::function<bool()>& may_go_on, Precision precision) {
+    const auto engine = make_engine(model, method, precision);
     const Clock clock{stretch.time, 0, batch_seconds / static_cast<double>(steps_a_batch)};
     const Tip tip = tip_of(model);
     Flight flight;

@@ -56,10 +56,11 @@ struct Tip {
 };
 Tip tip_of(const Model& model);
 
-/// Flies the stretch in double, in so many equal steps a batch; nothing if a value was not finite on the way, or
-/// `may_go_on()` was false after a batch.
+/// Flies the stretch, in so many equal steps a batch; nothing if a value was not finite on the way, or `may_go_on()`
+/// was false after a batch.
 std::optional<Flight> fly(const Model& model, Method method, long long steps_a_batch, const Stretch& stretch,
-                          Yardstick& yardstick, const std::function<bool()>& may_go_on = {});
+                          Yardstick& yardstick, const std::function<bool()>& may_go_on = {},
+                          Precision precision = Precision::double_precision);
 
 /// Two flights without what their errors have in common that shrinks with step^order, `fine` having half the step of
 /// `coarse`.

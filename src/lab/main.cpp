@@ -52,6 +52,7 @@ Job add_settings(CLI::App&) {
 constexpr Command commands[] = {
     {"run", "Simulate a scene for a time: where it is then, and what it cost", add_run},
     {"trade", "Speed against accuracy: what every method, step and precision costs and loses", add_trade},
+    {"price", "What each part of a scene costs in time and what leaving it out changes", add_price},
     {"stability", "The largest stable step of every method over stiffness and damping, measured and in theory",
      add_stability},
     {"scenes", "List the shipped scenes", add_scenes},

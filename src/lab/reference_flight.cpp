@@ -33,13 +33,6 @@ private:
     int halvings_ = 0;  // in vain, in a row
 };
 
-/// The error (m) of the finer of two flights that are `now` apart, the two before having been `before` apart: what the
-/// same shrinking leaves at ever smaller steps.
-double error_left(double before, double now, int order) {
-    const double shrink = std::clamp(before / now, 1.0, std::pow(2.0, order));
-    return shrink > 1.5 ? now / (shrink - 1.0) : now;
-}
-
 /// The start with every free mass moved a little, in directions that are always the same.
 State<double> pushed_aside(const Model& model, State<double> state, double distance) {
     std::mt19937_64 random(1);
@@ -212,6 +205,11 @@ private:
 };
 
 }  // namespace
+
+double error_left(double before, double now, int order) {
+    const double shrink = std::clamp(before / now, 1.0, std::pow(2.0, order));
+    return shrink > 1.5 ? now / (shrink - 1.0) : now;
+}
 
 double ReferenceFlight::error() const {
     return std::max(methods_apart, rk4_error);

@@ -22,6 +22,10 @@ struct ReferenceFlight {
     const Flight& judge_of(Method method) const;
 };
 
+/// The error (m) of the finer of two flights that are `now` apart, the two before having been `before` apart: what the
+/// same shrinking leaves at ever smaller steps.
+double error_left(double before, double now, int order);
+
 /// How fast neighbouring motions part: two flights that begin a nanometre apart.
 struct Growth {
     static constexpr double first = 1e-9;  // m, root mean square

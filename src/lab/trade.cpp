@@ -11,6 +11,8 @@
 #include "exit_status.hpp"
 #include "scene/file.hpp"
 #include "trade_options.hpp"
+#include "report_text.hpp"
+#include "saved_scene.hpp"
 #include "trade_report.hpp"
 
 #include <fmt/format.h>
@@ -26,26 +28,6 @@ namespace fs = std::filesystem;
 
 std::vector<NamedFile> outputs_of(const TradeOptions& options) {
     return asked_for({{"--write", options.write}, {"--json", options.json}});
-}
-
-/// "about 40 s" or "about 12 min".
-std::string duration(double seconds) {
-    return seconds < 100.0 ? rounded(seconds, 2) + " s" : rounded(seconds / 60.0, 2) + " min";
-}
-
-/// The scene with the setting found. Its image is found from its new place too.
-std::string scene_text(const Scene& scene, const fs::path& from) {
-    Scene saved = scene;
-    if (std::string& texture = saved.flag.texture; !texture.empty()) {
-        try {
-            const fs::path image = find_texture(texture, from);
-            std::error_code failure;
-            const bool is_shipped = fs::equivalent(image.parent_path(), assets_directory() / "flags", failure);
-            texture = is_shipped ? image.filename().string() : fs::absolute(image).string();
-        } catch (const InputError&) {  // the laboratory needs no image
-        }
-    }
-    return write_scene(saved);
 }
 
 std::string errors_text(const Measured& measured) {
@@ -131,7 +113,7 @@ int trade(const TradeOptions& options) {
         write_text_file(options.json, [&](const Append& append) { append(as_json(sweep, findings).dump(2) + "\n"); });
     if (!options.write.empty() && status == exit_good) {
         const TradePoint& best = findings.points[*findings.recommended.place].point;
-        const std::string text = scene_text(best.scene_on(sweep.variants()[best.variant]), file);
+        const std::string text = write_scene(as_saved(best.scene_on(sweep.variants()[best.variant]), file));
         write_text_file(options.write, [&](const Append& append) { append(text); });
     }
     return status;

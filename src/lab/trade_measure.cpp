@@ -4,6 +4,7 @@
 #include "clocks.hpp"
 #include "run/carry_over.hpp"
 #include "run/simulation.hpp"
+#include "run_cost.hpp"
 
 #include "drapeau/stability.hpp"
 
@@ -13,16 +14,6 @@
 namespace drapeau::lab {
 
 namespace {
-
-/// A simulation at the stretch's beginning. How the scene itself starts takes time and does not matter.
-Simulation simulation_of(const TradePoint& point, const Ground& ground) {
-    Scene scene = point.scene_on(ground.variant);
-    scene.flag.start = Start::flat;
-    scene.flag.disturbance = 0.0;
-    Simulation simulation(scene);
-    simulation.put(ground.stretch.start, ground.stretch.time);
-    return simulation;
-}
 
 /// Evaluations of all forces so far. A product with the Hessian, which takes about as long, counts as one.
 long long evaluations_of(const Simulation& simulation, Method method, long long steps) {
@@ -55,7 +46,7 @@ Measured measure_errors(const TradePoint& point, const Ground& ground, const Gro
     measured.error.energy = measured.error.stretch = NAN;
     measured.error_in_time = measured.error;
     try {
-        Simulation simulation = simulation_of(point, ground);
+        Simulation simulation = simulation_at(point.scene_on(ground.variant), ground.stretch);
         const Tip tip = tip_of(ground.model);
         Comparison in_time(ground.model, ground.reference.judge_of(point.method));
         Comparison in_all(scene.model, scene.reference.judge_of(point.method));
@@ -107,19 +98,8 @@ Measured measure_errors(const TradePoint& point, const Ground& ground, const Gro
 
 double measure_cost(const Measured& measured, const Ground& ground) {
     constexpr double long_enough = 3e-3;  // s
-    constexpr int most_times = 200;
-    const int times = static_cast<int>(
-        std::clamp(std::ceil(long_enough / std::max(measured.first_cost, 1e-9)), 1.0, double(most_times)));
-    Simulation simulation = simulation_of(measured.point, ground);
-    simulation.advance_batch();  // warm
-    double seconds = 0.0;
-    for (int time = 0; time < times; ++time) {
-        simulation.put(ground.stretch.start, ground.stretch.time);
-        const double before = processor_seconds();
-        for (long long batch = 0; batch < ground.stretch.batches; ++batch) simulation.advance_batch();
-        seconds += processor_seconds() - before;
-    }
-    return 1e3 * seconds / (times * ground.stretch.seconds());
+    return run_cost(measured.point.scene_on(ground.variant), ground.stretch,
+                    times_for(long_enough, measured.first_cost));
 }
 
 }  // namespace drapeau::lab

@@ -3,8 +3,8 @@
 #include "io/error.hpp"
 #include "io/text.hpp"
 #include "lists.hpp"
-#include "scene/file.hpp"
 #include "scene/settings.hpp"
+#include "shared_options.hpp"
 
 #include "drapeau/stability.hpp"
 
@@ -16,15 +16,6 @@
 namespace drapeau::lab {
 
 namespace {
-
-long long batches_option(const std::string& option, const std::string& text, long long least) {
-    constexpr double longest = 3600.0, rounding = 1e-3;
-    const double seconds = number_option(option, text, {least > 0 ? 0.0166 : 0.0, longest}, "seconds");
-    const double batches = seconds / batch_seconds, whole = std::round(batches);
-    if (std::abs(batches - whole) <= rounding) return std::llround(whole);
-    refuse(option, text,
-           "a whole number of sixtieths of a second, such as " + rounded(std::ceil(batches) * batch_seconds, 6) + ",");
-}
 
 std::pair<int, int> grid_in(const std::string& text) {
     const auto cross = text.find('x');
@@ -57,38 +48,14 @@ double step_in(const std::string& text) {
     refuse("--dt", text, "a number of seconds from " + shortest(least) + " to 1/60");
 }
 
-Scene scene_in(const TradeOptions& options) {
-    std::vector<Assignment> assignments;
-    for (const std::string& text : options.set) assignments.push_back(assignment_in(text));
-    return read_scene(find_scene(options.scene), assignments);
-}
-
 }  // namespace
-
-double distance_in(const std::string& option, const std::string& text) {
-    struct Unit {
-        std::string_view name;
-        double metres;
-    };
-    constexpr Unit units[] = {{"nm", 1e-9}, {"um", 1e-6}, {"µm", 1e-6}, {"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}};
-    constexpr double least = 1e-12, most = 1e3;
-    const std::string_view whole = without_space(text);
-    for (const auto& [name, metres] : units) {
-        if (!whole.ends_with(name)) continue;
-        const auto number = number_in(without_space(whole.substr(0, whole.size() - name.size())));
-        if (number && *number * metres >= least && *number * metres <= most) return *number * metres;
-        if (number) break;
-    }
-    refuse(option, text, "a distance from 0.001 nm to 1000 m with its unit (nm, um, mm, cm or m), such as 1mm,");
-}
 
 TradeRequest request_in(const TradeOptions& options) {
     TradeRequest request;
-    constexpr double most_minutes = 7.0 * 24.0 * 60.0;
     request.batches_are_given = !options.seconds.empty();
     if (request.batches_are_given) request.batches = batches_option("--seconds", options.seconds, 1);
     request.settle = static_cast<double>(batches_option("--settle", options.settle, 0)) * batch_seconds;
-    request.budget = 60.0 * number_option("--budget", options.budget, {0.01, most_minutes}, "minutes");
+    request.budget = budget_option(options.budget);
     if (!options.tolerance.empty()) request.tolerance = distance_in("--tolerance", options.tolerance);
     if (!options.write.empty() && !request.tolerance)
         throw InputError("--write: it saves the setting that --tolerance names; give --tolerance too");
@@ -99,7 +66,7 @@ TradeRequest request_in(const TradeOptions& options) {
     for (const std::string& item : items_of(options.grids)) choice.grids.push_back(grid_in(item));
     for (const std::string& item : items_of(options.limits)) choice.limits.push_back(limit_in(item));
     choice.both_diagonals = options.both_diagonals;
-    request.scene = scene_in(options);
+    request.scene = scene_in(options.scene, options.set);
     return request;
 }
 

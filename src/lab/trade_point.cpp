@@ -15,27 +15,6 @@ namespace drapeau::lab {
 
 namespace {
 
-/// The same cloth on another grid: as heavy, as much drag and friction, as stiff in all.
-Scene on_grid(const Scene& scene, int columns, int rows) {
-    Scene other = scene;
-    other.flag.columns = columns;
-    other.flag.rows = rows;
-    const auto share = [](int few, int many) { return static_cast<double>(few) / many; };
-    const double across = share(columns, scene.flag.columns), down = share(rows, scene.flag.rows);
-    const double cells_across = share(std::max(1, columns - 1), std::max(1, scene.flag.columns - 1));
-    const double cells_down = share(std::max(1, rows - 1), std::max(1, scene.flag.rows - 1));
-    const double fly = cells_across / down, hoist = cells_down / across;  // springs in a line over lines of springs
-    const double stiffer = rows == 1 ? fly : columns == 1 ? hoist : std::sqrt(fly * hoist);
-    SpringSettings& springs = other.springs;
-    springs.mass /= across * down;
-    springs.stiffness *= stiffer;
-    if (springs.diagonal_stiffness) *springs.diagonal_stiffness *= stiffer;
-    if (springs.damping) *springs.damping *= stiffer;
-    if (springs.drag) *springs.drag /= across * down;
-    if (springs.friction) *springs.friction /= across * down;
-    return other;
-}
-
 Variant named(const Scene& scene, const Scene& given) {
     const auto limit_of = [](const Scene& s) {
         const auto& limit = s.limits.get<StretchLimit>();
@@ -94,6 +73,26 @@ Counts usual_counts(Method method, const Model& model) {
 }
 
 }  // namespace
+
+Scene on_grid(const Scene& scene, int columns, int rows) {
+    Scene other = scene;
+    other.flag.columns = columns;
+    other.flag.rows = rows;
+    const auto share = [](int few, int many) { return static_cast<double>(few) / many; };
+    const double across = share(columns, scene.flag.columns), down = share(rows, scene.flag.rows);
+    const double cells_across = share(std::max(1, columns - 1), std::max(1, scene.flag.columns - 1));
+    const double cells_down = share(std::max(1, rows - 1), std::max(1, scene.flag.rows - 1));
+    const double fly = cells_across / down, hoist = cells_down / across;  // springs in a line over lines of springs
+    const double stiffer = rows == 1 ? fly : columns == 1 ? hoist : std::sqrt(fly * hoist);
+    SpringSettings& springs = other.springs;
+    springs.mass /= across * down;
+    springs.stiffness *= stiffer;
+    if (springs.diagonal_stiffness) *springs.diagonal_stiffness *= stiffer;
+    if (springs.damping) *springs.damping *= stiffer;
+    if (springs.drag) *springs.drag /= across * down;
+    if (springs.friction) *springs.friction /= across * down;
+    return other;
+}
 
 double TradePoint::dt() const {
     return batch_seconds / static_cast<double>(steps_a_batch);

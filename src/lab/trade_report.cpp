@@ -1,6 +1,7 @@
 #include "trade_report.hpp"
 
 #include "io/text.hpp"
+#include "report_text.hpp"
 #include "scene/file.hpp"
 #include "text_table.hpp"
 
@@ -17,21 +18,11 @@ namespace {
 
 constexpr double real_time = 1000.0;  // ms of processor time a simulated second
 
-std::string metres(double value) {
-    constexpr double least = 1e-12;  // no unit is smaller
-    if (value > 0.0 && value < least) return "< 0.001 nm";
-    return std::isfinite(value) ? quantity(value, "m") : "-";
-}
 std::string milliseconds(double value) {
     return std::isfinite(value) ? rounded(value, 3) + " ms/s" : "-";
 }
 std::string factor(double ms_per_second) {
     return std::isfinite(ms_per_second) ? rounded(real_time / ms_per_second, 3) + " x" : "-";
-}
-
-std::string with_error(double value, double error, const std::string& unit, double scale = 1.0) {
-    const std::string doubt = std::isfinite(error) ? rounded(scale * error, 2) : "?";
-    return rounded(scale * value, 3) + " ± " + doubt + " " + unit;
 }
 
 bool is_on_front(const TradeFindings& findings, std::size_t n) {
@@ -98,17 +89,6 @@ Row row_of(const TradeSweep& sweep, const Measured& measured) {
     return row;
 }
 
-nlohmann::ordered_json statistics_json(const TipStatistics& tip) {
-    return {{"mean_m", {tip.mean.x, tip.mean.y, tip.mean.z}},
-            {"mean_error_m", tip.mean_error},
-            {"variance_m2", tip.variance},
-            {"variance_error_m2", tip.variance_error},
-            {"mean_hz", tip.mean_hertz},
-            {"mean_error_hz", tip.mean_hertz_error},
-            {"peak_hz", tip.peak_hertz},
-            {"peak_error_hz", tip.peak_hertz_error}};
-}
-
 nlohmann::ordered_json as_json(const TradeSweep& sweep, const Measured& measured) {
     const TradePoint& point = measured.point;
     const Scene& scene = sweep.variants()[point.variant].scene;
@@ -160,31 +140,11 @@ std::string reference_text(const TradeSweep& sweep) {
         step(reference.rk4_steps), step(reference.leapfrog_steps), metres(reference.methods_apart));
     text += fmt::format("  so the motion is known to {} (rms); rk4 is judged by leapfrog, all others by rk4\n",
                         metres(reference.error()));
-    if (growth.is_seen())
-        text += fmt::format("chaos: what is apart becomes tenfold every {} (rate {} 1/s): 1 nm becomes {} in {}\n",
-                            quantity(std::log(10.0) / growth.rate, "s", 2), rounded(growth.rate, 3),
-                            metres(sweep.request().tolerance.value_or(1e-3)), quantity(sweep.horizon(), "s", 2));
-    else
-        text += fmt::format("chaos: none seen: what was 1 nm apart is {} apart at the end\n", metres(growth.last));
-    if (sweep.is_shortened())
-        text +=
-            "  half of that is compared, so that errors of steps grow no more than a thousandfold (--seconds "
-            "overrides)\n";
+    text += growth_text(growth, sweep.request().tolerance.value_or(1e-3));
+    if (sweep.is_shortened()) text += shortened_text;
     if (sweep.is_beyond_horizon()) {
-        const TipStatistics tip = sweep.reference_tip();
-        const Tip place = tip_of(ground.model);
-        text += fmt::format(
-            "  {} is beyond that horizon: where masses are says nothing there, so statistics of the tip are compared\n"
-            "  (--seconds {} compares trajectories). One standard error each; \"apart\": the most of the three.\n",
-            quantity(ground.stretch.seconds(), "s"),
-            rounded(std::max(1.0, std::floor(sweep.horizon() / batch_seconds)) * batch_seconds, 6));
-        text += fmt::format(
-            "reference: the mass in column {}, row {} is on average at ({}, {}, {}) m ± {}; variance {},\n"
-            "  mean frequency {}, peak of the spectrum {}\n",
-            place.column, place.row, rounded(tip.mean.x, 3), rounded(tip.mean.y, 3), rounded(tip.mean.z, 3),
-            metres(tip.mean_error), with_error(tip.variance, tip.variance_error, "cm²", 1e4),
-            with_error(tip.mean_hertz, tip.mean_hertz_error, "Hz"),
-            with_error(tip.peak_hertz, tip.peak_hertz_error, "Hz"));
+        text += beyond_text(ground.stretch, sweep.horizon());
+        text += "reference: " + statistics_text(tip_of(ground.model), sweep.reference_tip());
     }
     for (std::size_t n = 1; n < sweep.grounds().size(); ++n)
         text += fmt::format("{}: its own reference is known to {}\n", label_of(sweep.variants()[n]),

@@ -5,6 +5,7 @@
 #include "clocks.hpp"
 #include "run/carry_over.hpp"
 #include "run/simulation.hpp"
+#include "swing_in.hpp"
 
 #include "drapeau/stability.hpp"
 
@@ -32,44 +33,6 @@ double with_rounds(double seconds) {
     return seconds + rounds_for(seconds) * std::max(seconds, least);
 }
 
-/// What one unit of step_cost takes here and now (s on the wall), in double, with rk4.
-double measured_unit(const Model& model) {
-    constexpr double long_enough = 0.02;  // s
-    const auto engine = make_engine(model, method_id<Rk4>, Precision::double_precision);
-    const double dt = std::min(0.1 * stable_step(Rk4{}, model).seconds(), batch_seconds);
-    const double began = wall_seconds();
-    long long done = 0;
-    for (long long steps = 1; wall_seconds() - began < long_enough; steps *= 2) {
-        Report report;
-        engine->advance({.dt = dt}, done, done + steps, no_step, report, nullptr);
-        done += steps;
-    }
-    return (wall_seconds() - began) / (static_cast<double>(done) * engine->step_cost());
-}
-
-/// Samples of a flight that are kept: more would take memory and tell no more.
-long long sampling(const Grid& grid, long long batches) {
-    constexpr double most_samples = 60.0, most_numbers = 3e6;
-    const double samples = std::clamp(most_numbers / (3.0 * static_cast<double>(grid.masses())), 2.0, most_samples);
-    return std::max(1LL, static_cast<long long>(std::ceil(static_cast<double>(batches) / samples)));
-}
-
-bool has_free_masses(const Model& model) {
-    for (int j = 0; j < model.grid.rows; ++j)
-        for (int i = 0; i < model.grid.columns; ++i)
-            if (!model.held(i, j)) return true;
-    return false;
-}
-
-/// The scene as its reference is flown: in double, by rk4, at its automatic step.
-Scene as_reference(Scene scene) {
-    scene.time.method = method_id<Rk4>;
-    scene.time.precision = Precision::double_precision;
-    scene.time.dt.reset();
-    scene.time.tolerance.reset();
-    return scene;
-}
-
 }  // namespace
 
 TradeSweep::TradeSweep(const TradeRequest& request)
@@ -77,8 +40,7 @@ TradeSweep::TradeSweep(const TradeRequest& request)
     began_ = wall_seconds();
     points_ = points_of(variants_, request_.choice);
     for (const Variant& variant : variants_) models_.push_back(model_of(variant.scene));
-    if (!has_free_masses(models_.front()))
-        throw InputError("flag.attach: every mass is held, so there is no motion to compare");
+    check_that_it_moves(models_.front());
     unit_ = measured_unit(models_.front());
     if (const double least = least_seconds(); least > request_.budget)
         throw InputError(
@@ -133,15 +95,11 @@ void TradeSweep::list_affordable() {
 }
 
 std::optional<std::string> TradeSweep::prepare(const Tick& tick) {
-    Simulation simulation(as_reference(request_.scene));
-    const auto batches = std::llround(request_.settle / batch_seconds);
-    for (long long batch = 0; batch < batches; ++batch) {
-        if (const auto divergence = simulation.advance_batch()) return divergence->message;
-        tick(std::min(0.99, elapsed() / estimate_));
-    }
-    if (const auto divergence = simulation.check()) return divergence->message;
-    const State<double> settled = simulation.state();
-    const double time = simulation.time();
+    const SwungIn swung =
+        swing_in(request_.scene, request_.settle, [&] { tick(std::min(0.99, elapsed() / estimate_)); });
+    if (swung.diverged) return swung.diverged;
+    const State<double>& settled = swung.state;
+    const double time = swung.time;
     find_horizon(settled, time, tick);
     for (const Variant& variant : variants_) {
         const bool is_scene = &variant == &variants_.front();
@@ -152,13 +110,12 @@ std::optional<std::string> TradeSweep::prepare(const Tick& tick) {
 }
 
 void TradeSweep::find_horizon(const State<double>& start, double time, const Tick& tick) {
-    constexpr double trusted = 0.5;  // of the horizon: half of the growth, in powers of ten
     const Model& model = models_.front();
     Yardstick yardstick(model);
     growth_ = find_growth(model, stretch_of(model, start, time), yardstick,
                           {0.0, reference_seconds_, [&] { tick(std::min(0.99, elapsed() / estimate_)); }});
     if (request_.batches_are_given || !growth_.is_seen()) return;
-    const auto batches = std::max(1LL, static_cast<long long>(std::floor(trusted * horizon() / batch_seconds)));
+    const long long batches = trusted_batches(horizon());
     if (batches >= request_.batches) return;
     request_.batches = batches;
     is_shortened_ = true;
@@ -172,10 +129,8 @@ Stretch TradeSweep::stretch_of(const Model& model, const State<double>& start, d
 Ground TradeSweep::ground_of(const Variant& variant, const State<double>& start, double time, double enough,
                              const Tick& tick) const {
     Model model = model_of(variant.scene);
-    const Grid& grid = model.grid;
-    // In double rounding leaves no more of a position; statistics need no finer steps than those that hold.
-    const double size = std::hypot(grid.columns * grid.pitch_x, grid.rows * grid.pitch_y);
-    const double goal = is_beyond_horizon() ? INFINITY : std::max(1e-12 * size, enough);
+    // Statistics need no finer steps than those that hold.
+    const double goal = is_beyond_horizon() ? INFINITY : std::max(finest_goal(model), enough);
     Ground ground{variant, model, stretch_of(model, start, time), {}, std::make_unique<Yardstick>(model)};
     ground.reference = find_reference(ground.model, ground.stretch, *ground.yardstick,
                                       {goal, reference_seconds_, [&] { tick(std::min(0.99, elapsed() / estimate_)); }});

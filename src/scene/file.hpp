@@ -31,6 +31,20 @@ Scene parse_scene(std::string_view text, const std::string& origin, std::span<co
 /// back.
 std::string write_scene(const Scene& scene);
 
+/// A line of that text: a key, or the name of a table where `key` is "".
+struct SceneLine {
+    std::string table;  // "" before the first one
+    std::string key;
+    std::string value;    // as TOML
+    std::string unit;     // "" for what has none
+    std::string comment;  // "N/m, of springs between side neighbours (k)"
+
+    std::string text(const std::string& note) const;  // without the line break; `note` is its comment
+};
+std::vector<SceneLine> scene_lines(const Scene& scene);
+inline constexpr const char* scene_heading =
+    "# A scene of drapeau: what is listed is modelled, what is left out is not.\n";
+
 /// Throws InputError if the scene is impossible (sizes, signs, wind nobody feels, more memory than there is);
 /// the window calls it for what its controls made, parse_scene calls it for what a file says.
 void check_scene(const Scene& scene);

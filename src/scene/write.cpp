@@ -2,37 +2,55 @@
 #include "scene/settings.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace drapeau {
 
 namespace {
 
-/// One line "key = value  # comment", comments aligned; nothing for an absent optional that has no word.
+/// The line of a key; nothing for an absent optional that has no word.
 template <class Settings, class Value>
-void write_field(std::string& text, const Settings& settings, const settings::Key<Settings, Value>& field) {
+std::optional<SceneLine> line_of(const std::string& table, const Settings& settings,
+                                 const settings::Key<Settings, Value>& field) {
     const Value& value = settings.*field.member;
-    std::string line = std::string(field.key) + " = ";
+    SceneLine line{table, std::string(field.key), "", std::string(field.about.unit), settings::comment_of(field.about)};
     if constexpr (requires { value.has_value(); }) {
-        if (!value && field.absent.empty()) return;
-        line += value ? settings::value_text(*value) : in_quotes(field.absent);
+        if (!value && field.absent.empty()) return {};
+        line.value = value ? settings::value_text(*value) : in_quotes(field.absent);
     } else {
-        line += settings::value_text(value);
+        line.value = settings::value_text(value);
     }
-    constexpr std::size_t comment_column = 32;
-    line.resize(std::max(line.size() + 2, comment_column), ' ');
-    text += line + "# " + settings::comment_of(field.about) + "\n";
+    return line;
 }
 
 }  // namespace
 
-std::string write_scene(const Scene& scene) {
-    std::string text = "# A scene of drapeau: what is listed is modelled, what is left out is not.\n";
+std::string SceneLine::text(const std::string& note) const {
+    if (key.empty()) return "[" + table + "]";
+    constexpr std::size_t comment_column = 32;
+    std::string line = key + " = " + value;
+    line.resize(std::max(line.size() + 2, comment_column), ' ');
+    return line + "# " + note;
+}
+
+std::vector<SceneLine> scene_lines(const Scene& scene) {
+    std::vector<SceneLine> lines;
     settings::each_table(scene, [&](const std::string& table, const auto& settings, const auto& keys, bool) {
         const auto* values = settings::listed(settings);
         if (!values) return;
-        if (!table.empty()) text += "\n[" + table + "]\n";
-        settings::each_key(keys, [&](const auto& field) { write_field(text, *values, field); });
+        if (!table.empty()) lines.push_back({table, "", "", "", ""});
+        settings::each_key(keys, [&](const auto& field) {
+            if (auto line = line_of(table, *values, field)) lines.push_back(std::move(*line));
+        });
     });
+    return lines;
+}
+
+std::string write_scene(const Scene& scene) {
+    std::string text = scene_heading;
+    for (const SceneLine& line : scene_lines(scene))
+        text += (line.key.empty() ? "\n" : "") + line.text(line.comment) + "\n";
     return text;
 }
 
