@@ -7,6 +7,7 @@
 #include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "outputs.hpp"
+#include "pace.hpp"
 #include "progress.hpp"
 #include "exit_status.hpp"
 #include "scene/file.hpp"
@@ -26,11 +27,6 @@ namespace fs = std::filesystem;
 
 std::vector<NamedFile> outputs_of(const TradeOptions& options) {
     return asked_for({{"--write", options.write}, {"--json", options.json}});
-}
-
-/// "about 40 s" or "about 12 min".
-std::string duration(double seconds) {
-    return seconds < 100.0 ? rounded(seconds, 2) + " s" : rounded(seconds / 60.0, 2) + " min";
 }
 
 /// The scene with the setting found. Its image is found from its new place too.

@@ -3,6 +3,7 @@
 #include "io/error.hpp"
 #include "io/text.hpp"
 #include "lists.hpp"
+#include "sweep_options.hpp"
 #include "scene/file.hpp"
 #include "scene/settings.hpp"
 
@@ -16,28 +17,6 @@
 namespace drapeau::lab {
 
 namespace {
-
-long long batches_option(const std::string& option, const std::string& text, long long least) {
-    constexpr double longest = 3600.0, rounding = 1e-3;
-    const double seconds = number_option(option, text, {least > 0 ? 0.0166 : 0.0, longest}, "seconds");
-    const double batches = seconds / batch_seconds, whole = std::round(batches);
-    if (std::abs(batches - whole) <= rounding) return std::llround(whole);
-    refuse(option, text,
-           "a whole number of sixtieths of a second, such as " + rounded(std::ceil(batches) * batch_seconds, 6) + ",");
-}
-
-std::pair<int, int> grid_in(const std::string& text) {
-    const auto cross = text.find('x');
-    const auto side = [](const std::string& digits) {
-        const bool is_whole =
-            !digits.empty() && digits.size() < 6 && digits.find_first_not_of("0123456789") == std::string::npos;
-        return is_whole ? std::stoi(digits) : 0;
-    };
-    const int columns = cross == std::string::npos ? 0 : side(text.substr(0, cross));
-    const int rows = cross == std::string::npos ? 0 : side(text.substr(cross + 1));
-    if (columns < 1 || rows < 1) refuse("--grids", text, "COLUMNSxROWS such as 23x15");
-    return {columns, rows};
-}
 
 std::optional<double> limit_in(const std::string& text) {
     if (text == "off") return {};
@@ -55,12 +34,6 @@ double step_in(const std::string& text) {
     if (number && *number >= least && *number <= batch_seconds * (1.0 + rounding))
         return std::min(*number, batch_seconds);
     refuse("--dt", text, "a number of seconds from " + shortest(least) + " to 1/60");
-}
-
-Scene scene_in(const TradeOptions& options) {
-    std::vector<Assignment> assignments;
-    for (const std::string& text : options.set) assignments.push_back(assignment_in(text));
-    return read_scene(find_scene(options.scene), assignments);
 }
 
 }  // namespace
@@ -99,7 +72,7 @@ TradeRequest request_in(const TradeOptions& options) {
     for (const std::string& item : items_of(options.grids)) choice.grids.push_back(grid_in(item));
     for (const std::string& item : items_of(options.limits)) choice.limits.push_back(limit_in(item));
     choice.both_diagonals = options.both_diagonals;
-    request.scene = scene_in(options);
+    request.scene = scene_in(options.scene, options.set);
     return request;
 }
 

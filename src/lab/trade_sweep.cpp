@@ -3,6 +3,7 @@
 #include "io/error.hpp"
 #include "io/text.hpp"
 #include "clocks.hpp"
+#include "pace.hpp"
 #include "run/carry_over.hpp"
 #include "run/simulation.hpp"
 
@@ -30,44 +31,6 @@ int rounds_for(double seconds) {
 double with_rounds(double seconds) {
     constexpr double least = 4e-3;  // s, that a round lasts
     return seconds + rounds_for(seconds) * std::max(seconds, least);
-}
-
-/// What one unit of step_cost takes here and now (s on the wall), in double, with rk4.
-double measured_unit(const Model& model) {
-    constexpr double long_enough = 0.02;  // s
-    const auto engine = make_engine(model, method_id<Rk4>, Precision::double_precision);
-    const double dt = std::min(0.1 * stable_step(Rk4{}, model).seconds(), batch_seconds);
-    const double began = wall_seconds();
-    long long done = 0;
-    for (long long steps = 1; wall_seconds() - began < long_enough; steps *= 2) {
-        Report report;
-        engine->advance({.dt = dt}, done, done + steps, no_step, report, nullptr);
-        done += steps;
-    }
-    return (wall_seconds() - began) / (static_cast<double>(done) * engine->step_cost());
-}
-
-/// Samples of a flight that are kept: more would take memory and tell no more.
-long long sampling(const Grid& grid, long long batches) {
-    constexpr double most_samples = 60.0, most_numbers = 3e6;
-    const double samples = std::clamp(most_numbers / (3.0 * static_cast<double>(grid.masses())), 2.0, most_samples);
-    return std::max(1LL, static_cast<long long>(std::ceil(static_cast<double>(batches) / samples)));
-}
-
-bool has_free_masses(const Model& model) {
-    for (int j = 0; j < model.grid.rows; ++j)
-        for (int i = 0; i < model.grid.columns; ++i)
-            if (!model.held(i, j)) return true;
-    return false;
-}
-
-/// The scene as its reference is flown: in double, by rk4, at its automatic step.
-Scene as_reference(Scene scene) {
-    scene.time.method = method_id<Rk4>;
-    scene.time.precision = Precision::double_precision;
-    scene.time.dt.reset();
-    scene.time.tolerance.reset();
-    return scene;
 }
 
 }  // namespace

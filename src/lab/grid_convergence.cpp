@@ -1,0 +1,214 @@
+#include "grid_convergence.hpp"
+
+#include "clocks.hpp"
+#include "cloth_shape.hpp"
+#include "io/error.hpp"
+#include "io/text.hpp"
+#include "pace.hpp"
+#include "run/start_state.hpp"
+#include "same_cloth.hpp"
+
+#include "drapeau/stability.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace drapeau::lab {
+
+namespace {
+
+constexpr Method rk4 = method_id<Rk4>;
+constexpr double share_of_limit = 0.25;  // the step, of the largest stable one: its error is nothing beside the grid's
+constexpr double flights_a_grid = 3.0;   // the motion, that of a push, and that with light borders
+
+long long steps_a_batch(const Model& model) {
+    const double dt = std::min(share_of_limit * stable_step(rk4, model).seconds(), batch_seconds / 4.0);
+    return static_cast<long long>(std::ceil(batch_seconds / dt));
+}
+
+/// What a grid showed, of which only positions at the coarsest grid's masses are kept.
+struct Seen {
+    Flight flight;
+    ClothShape shape;
+};
+
+class Grids {
+public:
+    Grids(const GridRequest& request, double seconds, const std::function<void()>& tick)
+        : request_(request),
+          seconds_(seconds),
+          tick_(tick),
+          coarsest_(on_grid(0)),
+          coarsest_model_(model_of(coarsest_)),
+          start_(start_state(coarsest_).state),
+          every_(sampling(coarsest_model_.grid, request.batches)) {}
+
+    const Model& coarsest_model() const { return coarsest_model_; }
+    double seconds() const { return static_cast<double>(request_.batches) * batch_seconds; }
+    double spent() const { return wall_seconds() - began_; }
+
+    Scene on_grid(std::size_t n) const {
+        return same_cloth(request_.scene, request_.grids[n].first, request_.grids[n].second);
+    }
+
+    /// The motion of grid n from the common start, or a nanometre aside, compared after it swung in.
+    std::optional<Seen> seen(std::size_t n, Borders borders, bool aside, int finer_steps = 1) const {
+        const Scene scene = on_grid(n);
+        const Model model = model_with(scene, borders);
+        const int times = 1 << n;
+        const long long steps = finer_steps * steps_a_batch(model);
+        Yardstick yardstick(model);
+        Stretch stretch{on_finer_grid(start_, times), 0.0, request_.settle, std::max(1LL, request_.settle), times};
+        hold_fast(stretch.start, model, scene.flag.prestretch);
+        const auto may_go_on = [this] {
+            tick_();
+            return spent() < 1.5 * seconds_;
+        };
+        if (request_.settle > 0) {
+            auto before = fly(model, rk4, steps, stretch, yardstick, may_go_on);
+            if (!before) return {};
+            stretch.start = std::move(before->end);
+            stretch.time = stretch.seconds();
+        }
+        stretch.batches = request_.batches;
+        stretch.every = every_;
+        if (aside) stretch.start = pushed_aside(model, std::move(stretch.start), Growth::first);
+        ClothShape shape(model.grid, model.has_diagonals());
+        auto flight = fly(model, rk4, steps, stretch, yardstick, may_go_on,
+                          [&](const State<double>& state) { shape.take(state); });
+        if (!flight) return {};
+        return Seen{std::move(*flight), shape};
+    }
+
+    /// m, root mean square over time and the coarsest grid's masses.
+    double difference(const Flight& one, const Flight& other) const {
+        return apart(coarsest_model_, one, other).over_time;
+    }
+
+    Growth growth(const Flight& one, const Flight& other) const {
+        const Stretch stretch{State<double>(1, 1), 0.0, request_.batches, every_};
+        return growth_of(coarsest_model_, stretch, one, other);
+    }
+
+private:
+    const GridRequest& request_;
+    double seconds_;
+    const std::function<void()>& tick_;
+    double began_ = wall_seconds();
+    Scene coarsest_;
+    Model coarsest_model_;
+    State<double> start_;
+    long long every_;
+};
+
+/// Below this a lower order is not the grid's own, which is 2.
+constexpr double second_order = 1.7, any_order = 0.5;
+
+/// Light borders on the last three of the grids: whether borders are what makes the order low.
+void try_light_borders(const Grids& grids, GridConvergence& found) {
+    std::optional<Seen> before;
+    double last = NAN;
+    for (std::size_t n = found.levels.size() - 3; n < found.levels.size(); ++n) {
+        auto now = grids.seen(n, Borders::light, false);
+        if (!now) return;
+        if (before) {
+            found.difference_by_light_borders = grids.difference(now->flight, before->flight);
+            found.order_by_light_borders = std::log2(last / found.difference_by_light_borders);
+            last = found.difference_by_light_borders;
+        }
+        before = std::move(now);
+    }
+}
+
+/// What rounding, which the motion makes grow, leaves of a position (m).
+double floor_of(const Grid& grid, const Growth& growth, double seconds) {
+    constexpr double digits = 1e-14;
+    const double size = std::hypot(grid.columns * grid.pitch_x, grid.rows * grid.pitch_y);
+    return digits * size * growth.amplification(seconds);
+}
+
+GridConvergence::Verdict verdict_on(const Grids& grids, GridConvergence& found) {
+    using Verdict = GridConvergence::Verdict;
+    if (found.levels.size() < 3) return Verdict::unknown;
+    const GridLevel& finest = found.levels.back();
+    if (finest.difference <= floor_of(grids.coarsest_model().grid, finest.growth, grids.seconds()))
+        return Verdict::no_matter;
+    // One order that is right by chance is none where motions part.
+    const bool is_steady =
+        !finest.growth.is_seen() || (found.levels.size() > 3 && found.levels[found.levels.size() - 2].is_converging());
+    if (finest.is_converging() && is_steady) {
+        if (finest.order >= second_order) return Verdict::converges;
+        try_light_borders(grids, found);
+        const bool is_better = found.order_by_light_borders >= finest.order + 0.3 ||
+                               found.difference_by_light_borders <= 0.1 * finest.difference;
+        return is_better ? Verdict::by_borders : Verdict::slowly;
+    }
+    if (finest.is_folded_by_compression()) return Verdict::compression;
+    return finest.growth.is_seen() ? Verdict::chaos : Verdict::too_coarse;
+}
+
+}  // namespace
+
+bool GridLevel::is_folded_by_compression() const {
+    constexpr double compressed = 0.05, of_the_grid = 8.0;
+    return compressed_share >= compressed && fold_cells <= of_the_grid;
+}
+
+bool GridLevel::is_converging() const {
+    return order >= any_order;
+}
+
+double GridConvergence::error_of_coarsest() const {
+    double sum = next_difference() / (1.0 - std::pow(2.0, -order()));
+    for (const GridLevel& level : levels)
+        if (std::isfinite(level.difference)) sum += level.difference;
+    return sum;
+}
+
+double GridConvergence::next_difference() const {
+    return levels.empty() ? NAN : levels.back().difference * std::pow(2.0, -order());
+}
+
+std::vector<double> seconds_of_grids(const GridRequest& request, double unit) {
+    std::vector<double> seconds;
+    for (const auto& [columns, rows] : request.grids) {
+        const Model model = model_of(same_cloth(request.scene, columns, rows));
+        const double steps = static_cast<double>(steps_a_batch(model) * (request.settle + request.batches));
+        // The coarsest is flown once more, with half the step.
+        seconds.push_back(unit * step_cost(model, rk4) * steps * (flights_a_grid + (seconds.empty() ? 2.0 : 0.0)));
+    }
+    return seconds;
+}
+
+GridConvergence converge_in_grid(const GridRequest& request, double unit, double seconds,
+                                 const std::function<void()>& tick) {
+    const std::vector<double> expected = seconds_of_grids(request, unit);
+    GridConvergence found;
+    Grids grids(request, seconds, tick);
+    std::optional<Seen> before;
+    for (std::size_t n = 0; n < request.grids.size(); ++n) {
+        std::optional<Seen> now, aside;
+        if (grids.spent() + expected[n] <= seconds) now = grids.seen(n, Borders::alike, false);
+        if (now) aside = grids.seen(n, Borders::alike, true);
+        if (!aside) {
+            found.left_out.assign(request.grids.begin() + static_cast<std::ptrdiff_t>(n), request.grids.end());
+            break;
+        }
+        GridLevel& level = found.levels.emplace_back();
+        level.columns = request.grids[n].first, level.rows = request.grids[n].second;
+        level.compressed_share = now->shape.compressed_share();
+        level.fold_wavelength = now->shape.fold_wavelength();
+        level.fold_cells = now->shape.fold_cells();
+        level.growth = grids.growth(now->flight, aside->flight);
+        if (before) level.difference = grids.difference(now->flight, before->flight);
+        if (n > 1) level.order = std::log2(found.levels[n - 1].difference / level.difference);
+        if (n == 0)
+            if (const auto finer = grids.seen(n, Borders::alike, false, 2))
+                found.error_in_time = grids.difference(now->flight, finer->flight);
+        before = std::move(now);
+    }
+    found.verdict = verdict_on(grids, found);
+    return found;
+}
+
+}  // namespace drapeau::lab

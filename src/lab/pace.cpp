@@ -1,0 +1,53 @@
+#include "pace.hpp"
+
+#include "clocks.hpp"
+#include "io/text.hpp"
+#include "run/engine.hpp"
+
+#include "drapeau/stability.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drapeau::lab {
+
+double measured_unit(const Model& model) {
+    constexpr double long_enough = 0.02;  // s
+    const auto engine = make_engine(model, method_id<Rk4>, Precision::double_precision);
+    const double dt = std::min(0.1 * stable_step(Rk4{}, model).seconds(), batch_seconds);
+    const double began = wall_seconds();
+    long long done = 0;
+    for (long long steps = 1; wall_seconds() - began < long_enough; steps *= 2) {
+        Report report;
+        engine->advance({.dt = dt}, done, done + steps, no_step, report, nullptr);
+        done += steps;
+    }
+    return (wall_seconds() - began) / (static_cast<double>(done) * engine->step_cost());
+}
+
+long long sampling(const Grid& grid, long long batches) {
+    constexpr double most_samples = 60.0, most_numbers = 3e6;
+    const double samples = std::clamp(most_numbers / (3.0 * static_cast<double>(grid.masses())), 2.0, most_samples);
+    return std::max(1LL, static_cast<long long>(std::ceil(static_cast<double>(batches) / samples)));
+}
+
+bool has_free_masses(const Model& model) {
+    for (int j = 0; j < model.grid.rows; ++j)
+        for (int i = 0; i < model.grid.columns; ++i)
+            if (!model.held(i, j)) return true;
+    return false;
+}
+
+Scene as_reference(Scene scene) {
+    scene.time.method = method_id<Rk4>;
+    scene.time.precision = Precision::double_precision;
+    scene.time.dt.reset();
+    scene.time.tolerance.reset();
+    return scene;
+}
+
+std::string duration(double seconds) {
+    return seconds < 100.0 ? rounded(seconds, 2) + " s" : rounded(seconds / 60.0, 2) + " min";
+}
+
+}  // namespace drapeau::lab

@@ -1,0 +1,40 @@
+#include "sweep_options.hpp"
+
+#include "lists.hpp"
+#include "scene/file.hpp"
+
+#include "drapeau/stability.hpp"
+
+#include <cmath>
+
+namespace drapeau::lab {
+
+long long batches_option(const std::string& option, const std::string& text, long long least) {
+    constexpr double longest = 3600.0, rounding = 1e-3;
+    const double seconds = number_option(option, text, {least > 0 ? 0.0166 : 0.0, longest}, "seconds");
+    const double batches = seconds / batch_seconds, whole = std::round(batches);
+    if (std::abs(batches - whole) <= rounding) return std::llround(whole);
+    refuse(option, text,
+           "a whole number of sixtieths of a second, such as " + rounded(std::ceil(batches) * batch_seconds, 6) + ",");
+}
+
+std::pair<int, int> grid_in(const std::string& text) {
+    const auto cross = text.find('x');
+    const auto side = [](const std::string& digits) {
+        const bool is_whole =
+            !digits.empty() && digits.size() < 6 && digits.find_first_not_of("0123456789") == std::string::npos;
+        return is_whole ? std::stoi(digits) : 0;
+    };
+    const int columns = cross == std::string::npos ? 0 : side(text.substr(0, cross));
+    const int rows = cross == std::string::npos ? 0 : side(text.substr(cross + 1));
+    if (columns < 1 || rows < 1) refuse("--grids", text, "COLUMNSxROWS such as 23x15");
+    return {columns, rows};
+}
+
+Scene scene_in(const std::string& scene, const std::vector<std::string>& set) {
+    std::vector<Assignment> assignments;
+    for (const std::string& text : set) assignments.push_back(assignment_in(text));
+    return read_scene(find_scene(scene), assignments);
+}
+
+}  // namespace drapeau::lab
