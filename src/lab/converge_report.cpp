@@ -1,6 +1,7 @@
 #include "converge_report.hpp"
 
 #include "io/text.hpp"
+#include "pace.hpp"
 #include "scene/file.hpp"
 #include "text_table.hpp"
 
@@ -78,7 +79,7 @@ std::string flag_of(const GridLevel& level) {
     if (!std::isfinite(level.order)) return "first";
     if (level.is_converging()) return "converging";
     if (level.is_folded_by_compression()) return "compression";
-    return level.growth.is_seen() ? "chaos" : "too coarse";
+    return level.growth && level.growth->is_seen() ? "chaos" : "too coarse";
 }
 
 std::string flag_text(const GridLevel& level) {
@@ -96,6 +97,16 @@ constexpr const char* grid_verdicts[] = {"converges",        "converges, borders
 
 std::string growth_text(const Growth& growth, double seconds) {
     return metres(growth.is_seen() ? Growth::first * growth.amplification(seconds) : growth.last);
+}
+
+/// "26 1/s on 45 x 30, 51 1/s on 89 x 59"
+std::string rates_text(const GridConvergence& grids) {
+    std::string text;
+    for (const GridLevel& level : grids.levels)
+        if (level.growth && level.growth->is_seen())
+            text += fmt::format("{}{} 1/s on {} x {}", text.empty() ? "" : ", ", rounded(level.growth->rate, 2),
+                                level.columns, level.rows);
+    return text;
 }
 
 std::string on_grids(const GridConvergence& grids) {
@@ -120,9 +131,14 @@ std::string on_grids(const GridConvergence& grids) {
                 converging());
         case Verdict::slowly:
             return fmt::format(
-                "Finer grids converge, at order {} only, and lighter borders would not change that (order {}): the "
-                "motion has fronts or corners sharper than the cells. {}.",
-                order_text(grids.order()), order_text(grids.order_by_light_borders), converging());
+                "Finer grids converge, at order {} only: the motion has fronts or corners sharper than the cells{}. "
+                "{}.",
+                order_text(grids.order()),
+                std::isfinite(grids.order_by_light_borders)
+                    ? fmt::format(" (borders are not the cause: light ones give order {})",
+                                  order_text(grids.order_by_light_borders))
+                    : "",
+                converging());
         case Verdict::no_matter:
             return "The grid makes no difference: every grid moves alike but for rounding.";
         case Verdict::compression:
@@ -136,9 +152,9 @@ std::string on_grids(const GridConvergence& grids) {
                 finest.rows);
         case Verdict::chaos:
             return fmt::format(
-                "Finer grids do not converge over this time: the motion is chaotic, at {} 1/s on the finest. Compare "
-                "fewer --seconds, or statistics.",
-                rounded(finest.growth.rate, 3));
+                "Finer grids do not converge over this time: the motion is chaotic ({}). Compare fewer --seconds, or "
+                "statistics.",
+                rates_text(grids));
         case Verdict::too_coarse:
             return "These grids do not converge yet, and neither compression nor chaos is the cause: they are too "
                    "coarse "
@@ -169,7 +185,7 @@ std::string on_steps(const std::vector<MethodConvergence>& methods) {
     };
     const auto is = [](const char* name) { return [name](const std::string& verdict) { return verdict == name; }; };
     say(those(is("asymptotic")), "the order declared");
-    say(those(is("pre-asymptotic")), "not the order declared at the steps that fit the budget");
+    say(those(is("pre-asymptotic")), "not yet the order declared at the steps that fit the budget");
     say(those(is("chaos")), "no order at the steps that fit the budget, for the motion is chaotic");
     say(those(is("limit")), "a lower order, for the stretch limit moves masses after each step");
     say(those(is("rounding")), "exact but for rounding");
@@ -222,7 +238,7 @@ std::string grids_table(const ConvergeRequest& request, const ConvergeFindings& 
                 : "flat";
         rows.push_back({fmt::format("{} x {}", level.columns, level.rows), cell_of(request, level),
                         metres(level.difference), order_text(level.order), per_cent(level.compressed_share), folds,
-                        growth_text(level.growth, found.seconds), flag_text(level)});
+                        level.growth ? growth_text(*level.growth, found.seconds) : "-", flag_text(level)});
     }
     std::string text =
         "grids, each with half the cells of the one before, from one smooth start; difference: from that one\n" +
@@ -230,8 +246,9 @@ std::string grids_table(const ConvergeRequest& request, const ConvergeFindings& 
     if (std::isfinite(grids.error_in_time))
         text +=
             fmt::format("(flown by rk4; on the coarsest grid half the step changes {})\n", metres(grids.error_in_time));
-    for (const auto& [columns, rows_left] : grids.left_out)
-        text += fmt::format("left out: {} x {}: it takes longer than --budget leaves\n", columns, rows_left);
+    for (const auto& [columns, rows_left, seconds] : grids.left_out)
+        text += fmt::format("left out: {} x {}: it takes about {}, more than --budget leaves\n", columns, rows_left,
+                            duration(seconds));
     return text;
 }
 
@@ -270,10 +287,11 @@ nlohmann::ordered_json as_json(const ConvergeRequest& request, const ConvergeFin
                          {"compressed_share", level.compressed_share},
                          {"fold_wavelength_m", level.fold_wavelength},
                          {"fold_cells", level.fold_cells},
-                         {"growth_per_s", level.growth.is_seen() ? level.growth.rate : NAN},
+                         {"growth_per_s", level.growth && level.growth->is_seen() ? level.growth->rate : NAN},
                          {"flag", flag_of(level)}});
     auto& left_out = json["left_out_grids"] = nlohmann::ordered_json::array();
-    for (const auto& [columns, rows] : found.grids.left_out) left_out.push_back({columns, rows});
+    for (const auto& [columns, rows, seconds] : found.grids.left_out)
+        left_out.push_back({{"columns", columns}, {"rows", rows}, {"flight_s", seconds}});
     json["light_borders"] = {{"order", found.grids.order_by_light_borders},
                              {"difference_m", found.grids.difference_by_light_borders}};
     json["grids_verdict"] = grid_verdicts[static_cast<int>(found.grids.verdict)];

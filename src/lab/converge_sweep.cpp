@@ -17,8 +17,8 @@ namespace drapeau::lab {
 
 namespace {
 
-constexpr double for_reference = 0.2, for_grids = 0.4;  // of the budget
-constexpr int least_flights = 8;                        // of the coarsest reference, that any search takes
+constexpr double for_reference = 0.15, for_grids = 0.5;  // of the budget
+constexpr int least_flights = 8;                         // of the coarsest reference, that any search takes
 
 }  // namespace
 
@@ -63,9 +63,9 @@ double ConvergeSweep::estimate() const {
     }
     seconds += std::min(for_steps, steps);
     double grids = 0.0;
-    for (const double one : seconds_of_grids(grid_request(), unit_)) {
+    for (const double one : seconds_of_flights(grid_request(), unit_)) {
         if (seconds + grids + one > budget) break;
-        grids += one;
+        grids += 2.0 * one;  // one of them a nanometre aside
     }
     return std::min(budget, seconds + grids);
 }

@@ -18,13 +18,14 @@ namespace drapeau::lab {
 namespace {
 
 constexpr Method rk4 = method_id<Rk4>;
-constexpr double share_of_limit = 0.25;  // the step, of the largest stable one: its error is nothing beside the grid's
-constexpr double flights_a_grid = 3.0;   // the motion, that of a push, and that with light borders
+constexpr double share_of_limit = 0.5;  // the step, of the largest stable one: its error is nothing beside the grid's
 
 long long steps_a_batch(const Model& model) {
     const double dt = std::min(share_of_limit * stable_step(rk4, model).seconds(), batch_seconds / 4.0);
     return static_cast<long long>(std::ceil(batch_seconds / dt));
 }
+
+constexpr double long_enough = 0.05;  // s, that a flight lasts, to tell how fast it was
 
 /// What a grid showed, of which only positions at the coarsest grid's masses are kept.
 struct Seen {
@@ -127,24 +128,40 @@ double floor_of(const Grid& grid, const Growth& growth, double seconds) {
     return digits * size * growth.amplification(seconds);
 }
 
-GridConvergence::Verdict verdict_on(const Grids& grids, GridConvergence& found) {
+/// The growth on the finest grid that it was measured on.
+Growth finest_growth(const GridConvergence& found) {
+    for (auto level = found.levels.rbegin(); level != found.levels.rend(); ++level)
+        if (level->growth) return *level->growth;
+    return {};
+}
+
+GridConvergence::Verdict verdict_on(const Grids& grids, GridConvergence& found, bool has_time) {
     using Verdict = GridConvergence::Verdict;
     if (found.levels.size() < 3) return Verdict::unknown;
     const GridLevel& finest = found.levels.back();
-    if (finest.difference <= floor_of(grids.coarsest_model().grid, finest.growth, grids.seconds()))
-        return Verdict::no_matter;
+    const Growth growth = finest_growth(found);
+    if (finest.difference <= floor_of(grids.coarsest_model().grid, growth, grids.seconds())) return Verdict::no_matter;
     // One order that is right by chance is none where motions part.
     const bool is_steady =
-        !finest.growth.is_seen() || (found.levels.size() > 3 && found.levels[found.levels.size() - 2].is_converging());
+        !growth.is_seen() || (found.levels.size() > 3 && found.levels[found.levels.size() - 2].is_converging());
     if (finest.is_converging() && is_steady) {
         if (finest.order >= second_order) return Verdict::converges;
-        try_light_borders(grids, found);
+        if (has_time) try_light_borders(grids, found);
         const bool is_better = found.order_by_light_borders >= finest.order + 0.3 ||
                                found.difference_by_light_borders <= 0.1 * finest.difference;
         return is_better ? Verdict::by_borders : Verdict::slowly;
     }
     if (finest.is_folded_by_compression()) return Verdict::compression;
-    return finest.growth.is_seen() ? Verdict::chaos : Verdict::too_coarse;
+    return growth.is_seen() ? Verdict::chaos : Verdict::too_coarse;
+}
+
+GridLevel level_of(const std::pair<int, int>& grid, const ClothShape& shape) {
+    GridLevel level;
+    level.columns = grid.first, level.rows = grid.second;
+    level.compressed_share = shape.compressed_share();
+    level.fold_wavelength = shape.fold_wavelength();
+    level.fold_cells = shape.fold_cells();
+    return level;
 }
 
 }  // namespace
@@ -169,45 +186,49 @@ double GridConvergence::next_difference() const {
     return levels.empty() ? NAN : levels.back().difference * std::pow(2.0, -order());
 }
 
-std::vector<double> seconds_of_grids(const GridRequest& request, double unit) {
+std::vector<double> seconds_of_flights(const GridRequest& request, double unit) {
     std::vector<double> seconds;
     for (const auto& [columns, rows] : request.grids) {
         const Model model = model_of(same_cloth(request.scene, columns, rows));
         const double steps = static_cast<double>(steps_a_batch(model) * (request.settle + request.batches));
-        // The coarsest is flown once more, with half the step.
-        seconds.push_back(unit * step_cost(model, rk4) * steps * (flights_a_grid + (seconds.empty() ? 2.0 : 0.0)));
+        seconds.push_back(unit * step_cost(model, rk4) * steps);
     }
     return seconds;
 }
 
 GridConvergence converge_in_grid(const GridRequest& request, double unit, double seconds,
                                  const std::function<void()>& tick) {
-    const std::vector<double> expected = seconds_of_grids(request, unit);
+    const std::vector<double> expected = seconds_of_flights(request, unit);
     GridConvergence found;
     Grids grids(request, seconds, tick);
     std::optional<Seen> before;
+    double slower = 1.0;  // than expected, as the grid before was
     for (std::size_t n = 0; n < request.grids.size(); ++n) {
-        std::optional<Seen> now, aside;
-        if (grids.spent() + expected[n] <= seconds) now = grids.seen(n, Borders::alike, false);
-        if (now) aside = grids.seen(n, Borders::alike, true);
-        if (!aside) {
-            found.left_out.assign(request.grids.begin() + static_cast<std::ptrdiff_t>(n), request.grids.end());
+        const double began = grids.spent(), flight = slower * expected[n];
+        std::optional<Seen> now;
+        if (began + flight <= seconds) now = grids.seen(n, Borders::alike, false);
+        if (!now) {
+            for (std::size_t left = n; left < request.grids.size(); ++left)
+                found.left_out.push_back(
+                    {request.grids[left].first, request.grids[left].second, slower * expected[left]});
             break;
         }
-        GridLevel& level = found.levels.emplace_back();
-        level.columns = request.grids[n].first, level.rows = request.grids[n].second;
-        level.compressed_share = now->shape.compressed_share();
-        level.fold_wavelength = now->shape.fold_wavelength();
-        level.fold_cells = now->shape.fold_cells();
-        level.growth = grids.growth(now->flight, aside->flight);
+        if (const double spent = grids.spent() - began; spent > long_enough) slower = spent / expected[n];
+        GridLevel& level = found.levels.emplace_back(level_of(request.grids[n], now->shape));
         if (before) level.difference = grids.difference(now->flight, before->flight);
         if (n > 1) level.order = std::log2(found.levels[n - 1].difference / level.difference);
+        // The finest grid's own growth, unless it takes more time than there is.
+        if (grids.spent() + slower * expected[n] <= seconds)
+            if (const auto aside = grids.seen(n, Borders::alike, true))
+                level.growth = grids.growth(now->flight, aside->flight);
         if (n == 0)
             if (const auto finer = grids.seen(n, Borders::alike, false, 2))
                 found.error_in_time = grids.difference(now->flight, finer->flight);
         before = std::move(now);
     }
-    found.verdict = verdict_on(grids, found);
+    double three = 0.0;  // s, of the last three grids
+    for (std::size_t n = found.levels.size(); n-- > 0 && n + 3 >= found.levels.size();) three += slower * expected[n];
+    found.verdict = verdict_on(grids, found, grids.spent() + three <= seconds);
     return found;
 }
 

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,7 +21,7 @@ struct GridLevel {
     double compressed_share = 0.0;  // of springs
     double fold_wavelength = NAN;   // m; of what is flat NAN
     double fold_cells = NAN;        // the same in distances between masses
-    Growth growth;                  // of a push of a nanometre on this grid
+    std::optional<Growth> growth;   // of a push of a nanometre on this grid, if there was time
 
     /// Whether the cloth is compressed and its folds are as fine as the grid.
     bool is_folded_by_compression() const;
@@ -32,7 +33,7 @@ struct GridConvergence {
     enum class Verdict {
         converges,
         by_borders,   // at a lower order, which borders as light as their share of the cloth raise
-        slowly,       // at a lower order, whatever the borders
+        slowly,       // at a lower order, whatever the borders, as far as was tried
         no_matter,    // the differences are rounding's
         compression,  // not: compressed cloth folds as finely as the grid lets it
         chaos,        // not: neighbouring motions part
@@ -41,7 +42,11 @@ struct GridConvergence {
     };
 
     std::vector<GridLevel> levels;  // the coarsest first
-    std::vector<std::pair<int, int>> left_out;
+    struct LeftOut {
+        int columns, rows;
+        double seconds;  // that one flight takes, about
+    };
+    std::vector<LeftOut> left_out;
     double error_in_time = NAN;                // m, of the coarsest grid's motion
     double order_by_light_borders = NAN;       // the last one, of the same grids
     double difference_by_light_borders = NAN;  // m, the last one
@@ -61,8 +66,8 @@ struct GridRequest {
     long long settle = 0, batches = 30;      // of 1/60 s: before comparing, and compared
 };
 
-/// What the grids take, about (s), `unit` being that of step_cost.
-std::vector<double> seconds_of_grids(const GridRequest& request, double unit);
+/// What one flight on each grid takes, about (s), `unit` being that of step_cost.
+std::vector<double> seconds_of_flights(const GridRequest& request, double unit);
 
 /// Flies grid after grid while `seconds` (on the wall) are expected to last. `tick` is called after every batch.
 GridConvergence converge_in_grid(const GridRequest& request, double unit, double seconds,
