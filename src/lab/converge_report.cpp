@@ -45,7 +45,7 @@ std::string flag_text(const StepRung& rung, int declared) {
             text = "not yet: the step is too large for its order";
             break;
         case Flag::chaos:
-            text = "chaos: runs at such steps have parted";
+            text = "chaos: runs at such steps part, each its own way";
             break;
         case Flag::limit:
             text = "the stretch limit lowers the order";
@@ -95,10 +95,6 @@ constexpr const char* grid_verdicts[] = {"converges",        "converges, borders
                                          "compression",      "chaos",
                                          "too coarse",       "too few grids"};
 
-std::string growth_text(const Growth& growth, double seconds) {
-    return metres(growth.is_seen() ? Growth::first * growth.amplification(seconds) : growth.last);
-}
-
 /// "26 1/s on 45 x 30, 51 1/s on 89 x 59"
 std::string rates_text(const GridConvergence& grids) {
     std::string text;
@@ -134,7 +130,8 @@ std::string on_grids(const GridConvergence& grids) {
                 "Finer grids converge, at order {} only: the motion has fronts or corners sharper than the cells{}. "
                 "{}.",
                 order_text(grids.order()),
-                std::isfinite(grids.order_by_light_borders)
+                grids.is_border_held ? " (borders are held: they are not the cause)"
+                : std::isfinite(grids.order_by_light_borders)
                     ? fmt::format(" (borders are not the cause: light ones give order {})",
                                   order_text(grids.order_by_light_borders))
                     : "",
@@ -238,7 +235,7 @@ std::string grids_table(const ConvergeRequest& request, const ConvergeFindings& 
                 : "flat";
         rows.push_back({fmt::format("{} x {}", level.columns, level.rows), cell_of(request, level),
                         metres(level.difference), order_text(level.order), per_cent(level.compressed_share), folds,
-                        level.growth ? growth_text(*level.growth, found.seconds) : "-", flag_text(level)});
+                        level.growth ? metres(level.growth->last) : "-", flag_text(level)});
     }
     std::string text =
         "grids, each with half the cells of the one before, from one smooth start; difference: from that one\n" +
@@ -275,6 +272,7 @@ nlohmann::ordered_json as_json(const ConvergeRequest& request, const ConvergeFin
                              {"difference_m", rung.difference},
                              {"error_m", rung.error},
                              {"order", rung.order},
+                             {"alignment", rung.alignment},
                              {"below_resolution", rung.is_below_resolution},
                              {"flag", step_flags[static_cast<int>(rung.flag)]}});
     }

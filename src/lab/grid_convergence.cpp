@@ -45,7 +45,6 @@ public:
           every_(sampling(coarsest_model_.grid, request.batches)) {}
 
     const Model& coarsest_model() const { return coarsest_model_; }
-    double seconds() const { return static_cast<double>(request_.batches) * batch_seconds; }
     double spent() const { return wall_seconds() - began_; }
 
     Scene on_grid(std::size_t n) const {
@@ -105,6 +104,18 @@ private:
 /// Below this a lower order is not the grid's own, which is 2.
 constexpr double second_order = 1.7, any_order = 0.5;
 
+/// Whether no mass on a border moves, so that it does not matter how heavy they are.
+bool is_border_held(const Model& model) {
+    const Grid& grid = model.grid;
+    for (int j = 0; j < grid.rows; ++j)
+        for (int i = 0; i < grid.columns; ++i) {
+            const bool ends_row = grid.columns > 1 && (i == 0 || i == grid.columns - 1);
+            const bool ends_column = grid.rows > 1 && (j == 0 || j == grid.rows - 1);
+            if ((ends_row || ends_column) && !model.held(i, j)) return false;
+        }
+    return true;
+}
+
 /// Light borders on the last three of the grids: whether borders are what makes the order low.
 void try_light_borders(const Grids& grids, GridConvergence& found) {
     std::optional<Seen> before;
@@ -122,10 +133,10 @@ void try_light_borders(const Grids& grids, GridConvergence& found) {
 }
 
 /// What rounding, which the motion makes grow, leaves of a position (m).
-double floor_of(const Grid& grid, const Growth& growth, double seconds) {
+double floor_of(const Grid& grid, const Growth& growth) {
     constexpr double digits = 1e-14;
     const double size = std::hypot(grid.columns * grid.pitch_x, grid.rows * grid.pitch_y);
-    return digits * size * growth.amplification(seconds);
+    return digits * size * std::max(1.0, growth.last / Growth::first);
 }
 
 /// The growth on the finest grid that it was measured on.
@@ -140,13 +151,14 @@ GridConvergence::Verdict verdict_on(const Grids& grids, GridConvergence& found, 
     if (found.levels.size() < 3) return Verdict::unknown;
     const GridLevel& finest = found.levels.back();
     const Growth growth = finest_growth(found);
-    if (finest.difference <= floor_of(grids.coarsest_model().grid, growth, grids.seconds())) return Verdict::no_matter;
+    if (finest.difference <= floor_of(grids.coarsest_model().grid, growth)) return Verdict::no_matter;
     // One order that is right by chance is none where motions part.
     const bool is_steady =
         !growth.is_seen() || (found.levels.size() > 3 && found.levels[found.levels.size() - 2].is_converging());
     if (finest.is_converging() && is_steady) {
         if (finest.order >= second_order) return Verdict::converges;
-        if (has_time) try_light_borders(grids, found);
+        found.is_border_held = is_border_held(grids.coarsest_model());
+        if (has_time && !found.is_border_held) try_light_borders(grids, found);
         const bool is_better = found.order_by_light_borders >= finest.order + 0.3 ||
                                found.difference_by_light_borders <= 0.1 * finest.difference;
         return is_better ? Verdict::by_borders : Verdict::slowly;

@@ -47,7 +47,8 @@ struct GridConvergence {
         double seconds;  // that one flight takes, about
     };
     std::vector<LeftOut> left_out;
-    double error_in_time = NAN;                // m, of the coarsest grid's motion
+    double error_in_time = NAN;  // m, of the coarsest grid's motion
+    bool is_border_held = false;
     double order_by_light_borders = NAN;       // the last one, of the same grids
     double difference_by_light_borders = NAN;  // m, the last one
     Verdict verdict = Verdict::unknown;

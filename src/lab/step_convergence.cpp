@@ -5,6 +5,8 @@
 
 #include "drapeau/stability.hpp"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <optional>
 
@@ -48,15 +50,46 @@ bool is_limit_active(const StepGround& ground) {
                        [&](const Reading& reading) { return reading.stretch >= near * limit->stretch; });
 }
 
+/// The cosine between what halving the step changed last (to `fine`) and before (from `coarse`), over all free masses
+/// and samples.
+double alignment_of(const Model& model, const Flight& coarse, const Flight& middle, const Flight& fine) {
+    double product = 0.0, last = 0.0, before = 0.0;
+    for (std::size_t n = 0; n < fine.positions.size(); ++n)
+        for (int j = 0; j < model.grid.rows; ++j)
+            for (int i = 0; i < model.grid.columns; ++i) {
+                if (model.held(i, j)) continue;
+                const glm::dvec3 x = middle.positions[n].at(i, j);
+                const glm::dvec3 a = x - coarse.positions[n].at(i, j), b = fine.positions[n].at(i, j) - x;
+                product += glm::dot(a, b), last += glm::dot(b, b), before += glm::dot(a, a);
+            }
+    return product / std::sqrt(last * before);
+}
+
 /// What an order, or its absence, comes from.
-Flag flag_of(const StepRung& rung, double before, int declared, const StepGround& ground) {
-    constexpr double free_share = 0.01;  // of the distance between masses: what is nearer parts in proportion
-    const Grid& grid = ground.model.grid;
+Flag flag_of(const StepRung& rung, int declared, const StepGround& ground) {
+    constexpr double unlike = 0.5;  // cosine: where errors only shrink it is nearer to 1
     if (rung.difference <= floor_of(ground)) return Flag::rounding;
     if (std::abs(rung.order - declared) <= as_declared) return Flag::asymptotic;
-    if (ground.growth.is_seen() && before > free_share * std::min(grid.pitch_x, grid.pitch_y)) return Flag::chaos;
+    if (ground.growth.is_seen() && rung.alignment < unlike) return Flag::chaos;
     if (rung.order < declared && is_limit_active(ground)) return Flag::limit;
     return Flag::pre_asymptotic;
+}
+
+/// One order that is right among others that are not is so by chance.
+void doubt_lone_orders(MethodConvergence& found, const StepGround& ground) {
+    constexpr double near = 0.25;
+    auto& rungs = found.rungs;
+    const auto has_order = [&](std::size_t n) { return n < rungs.size() && std::isfinite(rungs[n].order); };
+    const auto is_near = [&](std::size_t n) {
+        return has_order(n) && std::abs(rungs[n].order - found.declared) <= near;
+    };
+    for (std::size_t n = 1; n < rungs.size(); ++n) {
+        const bool has_others = has_order(n - 1) || has_order(n + 1);
+        if (rungs[n].flag != Flag::asymptotic || !has_others || is_near(n - 1) || is_near(n + 1)) continue;
+        StepRung doubted = rungs[n];
+        doubted.order = INFINITY;  // anything but the one declared
+        rungs[n].flag = flag_of(doubted, found.declared, ground);
+    }
 }
 
 bool is_settled(const std::vector<StepRung>& rungs) {
@@ -95,7 +128,7 @@ MethodConvergence converge_in_step(Method method, const StepGround& ground, doub
         return found;
     }
     const double resolved = 10.0 * ground.reference.error();
-    std::optional<Flight> before;
+    std::optional<Flight> before, older;
     double last_difference = NAN, last_cost = 0.0;
     for (long long steps = first_count(method, ground.model); !is_settled(found.rungs); steps *= 2) {
         if (static_cast<int>(found.rungs.size()) == most_rungs) break;
@@ -125,14 +158,17 @@ MethodConvergence converge_in_step(Method method, const StepGround& ground, doub
             if (before) rung.difference = apart(ground.model, *flight, *before).over_time;
             if (std::isfinite(last_difference)) {
                 rung.order = std::log2(last_difference / rung.difference);
-                rung.flag = flag_of(rung, last_difference, found.declared, ground);
+                rung.alignment = alignment_of(ground.model, *older, *before, *flight);
+                rung.flag = flag_of(rung, found.declared, ground);
             } else if (before && rung.difference <= floor_of(ground)) {
                 rung.flag = Flag::rounding;  // exact but for rounding
             }
         }
         last_difference = rung.difference;
+        older = std::move(before);
         before = std::move(flight);
     }
+    doubt_lone_orders(found, ground);
     return found;
 }
 

@@ -19,6 +19,7 @@ struct StepRung {
     double difference = NAN;  // m, root mean square over masses and time, from the run at twice the step
     double error = NAN;       // m, likewise, from the reference
     double order = NAN;       // log2 of the ratio of this difference and the one before (Richardson)
+    double alignment = NAN;   // cosine between that difference and the one before: 1 where errors shrink in proportion
     Flag flag = Flag::first;
     bool is_below_resolution = false;  // nearer to the reference than ten times what that is known to
 
