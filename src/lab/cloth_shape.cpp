@@ -1,5 +1,7 @@
 #include "cloth_shape.hpp"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 
 namespace drapeau::lab {
@@ -7,7 +9,7 @@ namespace drapeau::lab {
 namespace {
 
 double square(const glm::dvec3& d) {
-    return d.x * d.x + d.y * d.y + d.z * d.z;
+    return glm::dot(d, d);
 }
 
 }  // namespace
@@ -36,7 +38,10 @@ void ClothShape::take_line(const FieldBuffer<double>& x, int i, int j, int di, i
     glm::dvec3 before(0.0);
     for (int n = 1; n + 1 < count; ++n) {
         const auto at = [&](int k) { return x.at(i + k * di, j + k * dj); };
-        const glm::dvec3 second = (at(n + 1) - at(n)) - (at(n) - at(n - 1));
+        const glm::dvec3 chord = at(n + 1) - at(n - 1);
+        glm::dvec3 second = (at(n + 1) - at(n)) - (at(n) - at(n - 1));
+        // Only what bends: along the line springs are but differently long.
+        if (const double length = square(chord); length > 0.0) second -= (glm::dot(second, chord) / length) * chord;
         folds.second += square(second);
         ++folds.count;
         if (n > 1) folds.third += square(second - before);

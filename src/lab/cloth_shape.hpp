@@ -19,8 +19,8 @@ public:
     /// The share of springs shorter than at rest, over all moments.
     double compressed_share() const;
     /// The wavelength of folds (m), on the average by how sharp they are: from third against second differences of
-    /// positions, |third|^2 = 4 sin^2(q h/2) |second|^2 for one wave. Along that side of the grid which is folded more.
-    /// NAN where it is flat.
+    /// positions across the line of masses, |third|^2 = 4 sin^2(q h/2) |second|^2 for one wave. Along that side of the
+    /// grid which is folded more. NAN where it is flat.
     double fold_wavelength() const;
     /// The same over the distance between masses; at least 2.
     double fold_cells() const;

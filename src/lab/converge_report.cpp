@@ -75,18 +75,19 @@ std::string cell_of(const ConvergeRequest& request, const GridLevel& level) {
     return quantity(x, "m") + " x " + quantity(y, "m");
 }
 
-std::string flag_of(const GridLevel& level) {
+std::string flag_of(const GridLevel& level, const GridConvergence& grids) {
     if (!std::isfinite(level.order)) return "first";
-    if (level.is_converging()) return "converging";
+    if (level.is_converging()) return grids.does_converge() ? "converging" : "unsteady";
     if (level.is_folded_by_compression()) return "compression";
     return level.growth && level.growth->is_seen() ? "chaos" : "too coarse";
 }
 
-std::string flag_text(const GridLevel& level) {
-    const std::string flag = flag_of(level);
+std::string flag_text(const GridLevel& level, const GridConvergence& grids) {
+    const std::string flag = flag_of(level, grids);
     if (flag == "first") return "";
     if (flag == "compression") return "not converging: compressed, folds as fine as the grid";
     if (flag == "chaos") return "not converging: neighbouring motions part";
+    if (flag == "unsteady") return "smaller, but not steadily";
     return flag == "converging" ? flag : "not converging yet";
 }
 
@@ -235,7 +236,7 @@ std::string grids_table(const ConvergeRequest& request, const ConvergeFindings& 
                 : "flat";
         rows.push_back({fmt::format("{} x {}", level.columns, level.rows), cell_of(request, level),
                         metres(level.difference), order_text(level.order), per_cent(level.compressed_share), folds,
-                        level.growth ? metres(level.growth->last) : "-", flag_text(level)});
+                        level.growth ? metres(level.growth->last) : "-", flag_text(level, grids)});
     }
     std::string text =
         "grids, each with half the cells of the one before, from one smooth start; difference: from that one\n" +
@@ -286,7 +287,7 @@ nlohmann::ordered_json as_json(const ConvergeRequest& request, const ConvergeFin
                          {"fold_wavelength_m", level.fold_wavelength},
                          {"fold_cells", level.fold_cells},
                          {"growth_per_s", level.growth && level.growth->is_seen() ? level.growth->rate : NAN},
-                         {"flag", flag_of(level)}});
+                         {"flag", flag_of(level, found.grids)}});
     auto& left_out = json["left_out_grids"] = nlohmann::ordered_json::array();
     for (const auto& [columns, rows, seconds] : found.grids.left_out)
         left_out.push_back({{"columns", columns}, {"rows", rows}, {"flight_s", seconds}});

@@ -184,7 +184,7 @@ Growth find_growth(const Model& model, const Stretch& stretch, Yardstick& yardst
 }
 
 double Growth::amplification(double seconds) const {
-    return std::max(1.0, is_seen() ? std::exp(rate * seconds) : last / first);
+    return std::max(1.0, is_seen() ? std::min(std::exp(rate * seconds), last / first) : last / first);
 }
 
 State<double> pushed_aside(const Model& model, State<double> state, double distance) {

@@ -32,7 +32,7 @@ struct Growth {
     bool is_seen() const { return rate > 0.0; }
     /// The time (s) until they are this far apart (m); infinite where no growth was seen.
     double horizon(double distance) const;
-    /// What a push is multiplied by in so many seconds, at most as often as was looked at; at least 1.
+    /// What a push is multiplied by in so many seconds, no more than were looked at; at least 1.
     double amplification(double seconds) const;
 };
 
