@@ -1,6 +1,7 @@
 #include "converge.hpp"
 
 #include "commands.hpp"
+#include "converge_conclusion.hpp"
 #include "converge_report.hpp"
 #include "exit_status.hpp"
 #include "io/error.hpp"

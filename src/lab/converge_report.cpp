@@ -1,6 +1,8 @@
 #include "converge_report.hpp"
 
+#include "converge_conclusion.hpp"
 #include "io/text.hpp"
+#include "lengths.hpp"
 #include "pace.hpp"
 #include "scene/file.hpp"
 #include "text_table.hpp"
@@ -18,20 +20,12 @@ namespace {
 
 using Flag = StepRung::Flag;
 
-std::string metres(double value) {
-    constexpr double least = 1e-12;  // no unit is smaller
-    if (value >= 0.0 && value < least) return "< 0.001 nm";
-    return std::isfinite(value) ? quantity(value, "m") : "-";
-}
 std::string order_text(double order) {
     return std::isfinite(order) ? fmt::format("{:.2f}", order) : "-";
 }
 std::string per_cent(double share) {
     return rounded(100.0 * share, 2) + " %";
 }
-
-constexpr const char* step_flags[] = {"first", "asymptotic", "pre-asymptotic", "chaos",
-                                      "limit", "rounding",   "diverged"};
 
 std::string flag_text(const StepRung& rung, int declared) {
     std::string text;
@@ -61,13 +55,6 @@ std::string flag_text(const StepRung& rung, int declared) {
     return text;
 }
 
-/// What the method comes to, in JSON and for the conclusion.
-std::string verdict_on(const MethodConvergence& method) {
-    if (const StepRung* best = method.best()) return step_flags[static_cast<int>(best->flag)];
-    if (!method.rungs.empty() && method.rungs.back().flag == Flag::rounding) return "rounding";
-    return method.rungs.empty() || method.rungs.back().flag != Flag::diverged ? "left out" : "diverged";
-}
-
 std::string cell_of(const ConvergeRequest& request, const GridLevel& level) {
     const Grid grid = spread(level.columns, level.rows, request.scene.flag.width, request.scene.flag.height);
     const double x = grid.columns > 1 ? grid.pitch_x : 0.0, y = grid.rows > 1 ? grid.pitch_y : 0.0;
@@ -95,102 +82,6 @@ constexpr const char* grid_verdicts[] = {"converges",        "converges, borders
                                          "converges slowly", "no matter",
                                          "compression",      "chaos",
                                          "too coarse",       "too few grids"};
-
-/// "26 1/s on 45 x 30, 51 1/s on 89 x 59"
-std::string rates_text(const GridConvergence& grids) {
-    std::string text;
-    for (const GridLevel& level : grids.levels)
-        if (level.growth && level.growth->is_seen())
-            text += fmt::format("{}{} 1/s on {} x {}", text.empty() ? "" : ", ", rounded(level.growth->rate, 2),
-                                level.columns, level.rows);
-    return text;
-}
-
-std::string on_grids(const GridConvergence& grids) {
-    using Verdict = GridConvergence::Verdict;
-    if (grids.levels.empty()) return "No grid was measured: --budget does not suffice for one.";
-    const GridLevel& finest = grids.levels.back();
-    const auto converging = [&] {
-        return fmt::format(
-            "Halving the cells of {} x {} again would change positions by about {}, and {} x {} is within about {} of "
-            "the limit",
-            finest.columns, finest.rows, metres(grids.next_difference()), grids.levels.front().columns,
-            grids.levels.front().rows, metres(grids.error_of_coarsest()));
-    };
-    switch (grids.verdict) {
-        case Verdict::converges:
-            return fmt::format("Finer grids converge, at order {}. {}.", order_text(grids.order()), converging());
-        case Verdict::by_borders:
-            return fmt::format(
-                "Finer grids converge, at order {} only: borders are as heavy and as stiff as the inside (as light as "
-                "their share of the cloth they would differ by {} instead of {}). {}.",
-                order_text(grids.order()), metres(grids.difference_by_light_borders), metres(finest.difference),
-                converging());
-        case Verdict::slowly:
-            return fmt::format(
-                "Finer grids converge, at order {} only: the motion has fronts or corners sharper than the cells{}. "
-                "{}.",
-                order_text(grids.order()),
-                grids.is_border_held ? " (borders are held: they are not the cause)"
-                : std::isfinite(grids.order_by_light_borders)
-                    ? fmt::format(" (borders are not the cause: light ones give order {})",
-                                  order_text(grids.order_by_light_borders))
-                    : "",
-                converging());
-        case Verdict::no_matter:
-            return "The grid makes no difference: every grid moves alike but for rounding.";
-        case Verdict::compression:
-            return fmt::format(
-                "Finer grids do not converge here: {} of the springs are compressed, and folds are as wide as the "
-                "cells "
-                "allow (wavelength {} cells on {} x {}, {} on {} x {}). Nothing resists bending, so the grid decides "
-                "where the cloth folds: compare statistics, not positions.",
-                per_cent(finest.compressed_share), rounded(grids.levels.front().fold_cells, 2),
-                grids.levels.front().columns, grids.levels.front().rows, rounded(finest.fold_cells, 2), finest.columns,
-                finest.rows);
-        case Verdict::chaos:
-            return fmt::format(
-                "Finer grids do not converge over this time: the motion is chaotic ({}). Compare fewer --seconds, or "
-                "statistics.",
-                rates_text(grids));
-        case Verdict::too_coarse:
-            return "These grids do not converge yet, and neither compression nor chaos is the cause: they are too "
-                   "coarse "
-                   "for what moves. Measure finer ones (--levels, --budget).";
-        case Verdict::unknown:
-            return "No order of grids: it takes three, and --budget suffices for fewer.";
-    }
-    return "";
-}
-
-std::string joined(const std::vector<std::string>& names) {
-    std::string text;
-    for (std::size_t n = 0; n < names.size(); ++n)
-        text += (n == 0 ? "" : n + 1 == names.size() ? " and " : ", ") + names[n];
-    return text;
-}
-
-std::string on_steps(const std::vector<MethodConvergence>& methods) {
-    const auto those = [&](const auto& wanted) {
-        std::vector<std::string> names;
-        for (const MethodConvergence& method : methods)
-            if (wanted(verdict_on(method))) names.emplace_back(name_of(method.method));
-        return names;
-    };
-    std::string text;
-    const auto say = [&](const std::vector<std::string>& names, const std::string& what) {
-        if (!names.empty()) text += (text.empty() ? "" : "; ") + joined(names) + ": " + what;
-    };
-    const auto is = [](const char* name) { return [name](const std::string& verdict) { return verdict == name; }; };
-    say(those(is("asymptotic")), "the order declared");
-    say(those(is("pre-asymptotic")), "not yet the order declared at the steps that fit the budget");
-    say(those(is("chaos")), "no order at the steps that fit the budget, for the motion is chaotic");
-    say(those(is("limit")), "a lower order, for the stretch limit moves masses after each step");
-    say(those(is("rounding")), "exact but for rounding");
-    say(those(is("diverged")), "diverged");
-    say(those(is("left out")), "not measured, --budget does not suffice");
-    return "Steps: " + text + ".";
-}
 
 }  // namespace
 
@@ -250,10 +141,6 @@ std::string grids_table(const ConvergeRequest& request, const ConvergeFindings& 
     return text;
 }
 
-std::string conclusion(const ConvergeFindings& found) {
-    return on_grids(found.grids) + "\n" + on_steps(found.steps);
-}
-
 nlohmann::ordered_json as_json(const ConvergeRequest& request, const ConvergeFindings& found) {
     nlohmann::ordered_json json{
         {"scene", request.scene.name},  {"settle_s", request.settle},
@@ -275,7 +162,7 @@ nlohmann::ordered_json as_json(const ConvergeRequest& request, const ConvergeFin
                              {"order", rung.order},
                              {"alignment", rung.alignment},
                              {"below_resolution", rung.is_below_resolution},
-                             {"flag", step_flags[static_cast<int>(rung.flag)]}});
+                             {"flag", name_of(rung.flag)}});
     }
     auto& grids = json["grids"] = nlohmann::ordered_json::array();
     for (const GridLevel& level : found.grids.levels)

@@ -1,4 +1,4 @@
-// Converge report: what was found of steps and grids, as tables for a person, a conclusion to act on, and JSON.
+// Converge report: what was found of steps and grids, as tables for a person and as JSON for programs.
 #pragma once
 
 #include "converge_sweep.hpp"
@@ -13,9 +13,6 @@ namespace drapeau::lab {
 std::string compared_text(const ConvergeRequest& request, const ConvergeFindings& found);
 std::string steps_table(const ConvergeFindings& found);
 std::string grids_table(const ConvergeRequest& request, const ConvergeFindings& found);
-/// One sentence on grids and one on steps.
-std::string conclusion(const ConvergeFindings& found);
-
 nlohmann::ordered_json as_json(const ConvergeRequest& request, const ConvergeFindings& found);
 
 }  // namespace drapeau::lab

@@ -1,6 +1,7 @@
 #include "trade_report.hpp"
 
 #include "io/text.hpp"
+#include "lengths.hpp"
 #include "scene/file.hpp"
 #include "text_table.hpp"
 
@@ -17,11 +18,6 @@ namespace {
 
 constexpr double real_time = 1000.0;  // ms of processor time a simulated second
 
-std::string metres(double value) {
-    constexpr double least = 1e-12;  // no unit is smaller
-    if (value > 0.0 && value < least) return "< 0.001 nm";
-    return std::isfinite(value) ? quantity(value, "m") : "-";
-}
 std::string milliseconds(double value) {
     return std::isfinite(value) ? rounded(value, 3) + " ms/s" : "-";
 }
