@@ -17,7 +17,6 @@ namespace {
 using Flag = StepRung::Flag;
 
 constexpr double as_declared = 0.1;  // that an order may be off
-constexpr int rungs_of_an_order = 3;
 
 /// The largest step's count in a batch: the automatic one. Without a stable step, a sixteenth of what others take.
 long long first_count(Method method, const Model& model) {
