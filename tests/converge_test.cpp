@@ -224,12 +224,12 @@ TEST_CASE("a stretch limit that holds masses back lowers every order to 1, which
 TEST_CASE("what the budget does not suffice for is left out, the finest first, and that is said") {
     const Bench bench;
     const Json found = converge(bench,
-                                "report --set flag.columns=9 --set flag.rows=7 --levels 8 --budget 0.05 "
+                                "report --set flag.columns=9 --set flag.rows=7 --levels 9 --budget 0.1 "
                                 "--methods leapfrog,forward-euler");
     const auto& left_out = found["left_out_grids"];
     REQUIRE(!left_out.empty());
-    CHECK(left_out.back()["columns"] == 8 * 128 + 1);
-    CHECK(found["grids"].size() + left_out.size() == 8);
+    CHECK(left_out.back()["columns"] == 8 * 256 + 1);
+    CHECK(found["grids"].size() + left_out.size() == 9);
     CHECK(found["grids"][0]["columns"] == 9);
     CHECK(has(found["methods"][1]["left_out"], "more than --budget leaves"));
     CHECK(found["methods"][1]["flag"] == "left out");

@@ -67,9 +67,10 @@ double alignment_of(const Model& model, const Flight& coarse, const Flight& midd
 /// What an order, or its absence, comes from.
 Flag flag_of(const StepRung& rung, int declared, const StepGround& ground) {
     constexpr double unlike = 0.5;  // cosine: where errors only shrink it is nearer to 1
-    if (rung.difference <= floor_of(ground)) return Flag::rounding;
+    constexpr double low = 0.75;    // of the order declared
     if (std::abs(rung.order - declared) <= as_declared) return Flag::asymptotic;
-    if (ground.growth.is_seen() && rung.alignment < unlike) return Flag::chaos;
+    if (rung.difference <= floor_of(ground)) return Flag::rounding;
+    if (ground.growth.is_seen() && rung.alignment < unlike && rung.order < low * declared) return Flag::chaos;
     if (rung.order < declared && is_limit_active(ground)) return Flag::limit;
     return Flag::pre_asymptotic;
 }
@@ -86,7 +87,7 @@ void doubt_lone_orders(MethodConvergence& found, const StepGround& ground) {
         const bool has_others = has_order(n - 1) || has_order(n + 1);
         if (rungs[n].flag != Flag::asymptotic || !has_others || is_near(n - 1) || is_near(n + 1)) continue;
         StepRung doubted = rungs[n];
-        doubted.order = INFINITY;  // anything but the one declared
+        doubted.order = 0.0;  // anything but the one declared
         rungs[n].flag = flag_of(doubted, found.declared, ground);
     }
 }
