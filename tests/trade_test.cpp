@@ -203,8 +203,8 @@ TEST_CASE(
         CHECK((other["error_rms_m"] > tolerance || other["error_over_time_m"] > tolerance));
 
     const Scene saved = read_scene(bench.path / "quick.toml");
-    CHECK(name_of(saved.time.method) == best["method"]);
-    CHECK(name_of(saved.time.precision) == best["precision"]);
+    CHECK(name_of(saved.time.method) == best["method"].get<std::string>());
+    CHECK(name_of(saved.time.precision) == best["precision"].get<std::string>());
     CHECK(saved.time.dt == best["dt"].get<double>());
     Scene given = read_scene(find_scene("spring"));
     given.time = saved.time;

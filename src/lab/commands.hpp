@@ -18,6 +18,7 @@ Job add_run(CLI::App& command);
 Job add_trade(CLI::App& command);
 Job add_price(CLI::App& command);
 Job add_stability(CLI::App& command);
+Job add_converge(CLI::App& command);
 
 /// What every command asks for.
 inline void add_scene(CLI::App& command, std::string& scene) {

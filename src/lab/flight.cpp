@@ -33,6 +33,14 @@ std::vector<Value> mix(const std::vector<Value>& coarse, const std::vector<Value
     return mixed;
 }
 
+FieldBuffer<double> thinned(const FieldBuffer<double>& all, int every) {
+    if (every == 1) return all;
+    FieldBuffer<double> some((all.columns() - 1) / every + 1, (all.rows() - 1) / every + 1);
+    for (int j = 0; j < some.rows(); ++j)
+        for (int i = 0; i < some.columns(); ++i) some.set(i, j, all.at(every * i, every * j));
+    return some;
+}
+
 bool is_finite(const glm::dvec3& v) {
     return std::isfinite(v.x + v.y + v.z);
 }
@@ -50,7 +58,7 @@ Reading Yardstick::read(const State<double>& state, double time) {
 
 void Flight::see(const Stretch& stretch, long long batch, State<double> state, Yardstick& yardstick) {
     if (stretch.is_sample(batch)) {
-        positions.push_back(state.position);
+        positions.push_back(thinned(state.position, stretch.every_mass));
         readings.push_back(yardstick.read(state, stretch.time + static_cast<double>(batch) * Stretch::batch_length));
     }
     if (batch == stretch.batches) end = std::move(state);
@@ -69,7 +77,8 @@ Tip tip_of(const Model& model) {
 }
 
 std::optional<Flight> fly(const Model& model, Method method, long long steps_a_batch, const Stretch& stretch,
-                          Yardstick& yardstick, const std::function<bool()>& may_go_on, Precision precision) {
+                          Yardstick& yardstick, const std::function<bool()>& may_go_on, Precision precision,
+                          const std::function<void(const State<double>&)>& look) {
     const auto engine = make_engine(model, method, precision);
     const Clock clock{stretch.time, 0, batch_seconds / static_cast<double>(steps_a_batch)};
     const Tip tip = tip_of(model);
@@ -83,6 +92,7 @@ std::optional<Flight> fly(const Model& model, Method method, long long steps_a_b
         flight.tip.push_back(state.position.at(tip.column, tip.row));
         flight.tip_velocity.push_back(state.velocity.at(tip.column, tip.row));
         if (!is_finite(flight.tip.back())) return {};
+        if (look && stretch.is_sample(batch)) look(state);
         flight.see(stretch, batch, std::move(state), yardstick);
         if (stretch.is_sample(batch) && !std::isfinite(flight.readings.back().energy)) return {};
     }

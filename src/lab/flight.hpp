@@ -16,6 +16,7 @@ struct Stretch {
     double time = 0.0;  // s, of that state: the wind is a function of it
     long long batches = 0;
     long long every = 1;
+    int every_mass = 1;  // of a row and of a column, that positions are kept of: to compare grids at masses they share
 
     double seconds() const { return static_cast<double>(batches) * batch_length; }
     bool is_sample(long long batch) const { return (batches - batch) % every == 0; }
@@ -57,10 +58,11 @@ struct Tip {
 Tip tip_of(const Model& model);
 
 /// Flies the stretch, in so many equal steps a batch; nothing if a value was not finite on the way, or `may_go_on()`
-/// was false after a batch.
+/// was false after a batch. `look` sees the whole state at each sample.
 std::optional<Flight> fly(const Model& model, Method method, long long steps_a_batch, const Stretch& stretch,
                           Yardstick& yardstick, const std::function<bool()>& may_go_on = {},
-                          Precision precision = Precision::double_precision);
+                          Precision precision = Precision::double_precision,
+                          const std::function<void(const State<double>&)>& look = {});
 
 /// Two flights without what their errors have in common that shrinks with step^order, `fine` having half the step of
 /// `coarse`.

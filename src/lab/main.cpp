@@ -55,6 +55,7 @@ constexpr Command commands[] = {
     {"price", "What each part of a scene costs in time and what leaving it out changes", add_price},
     {"stability", "The largest stable step of every method over stiffness and damping, measured and in theory",
      add_stability},
+    {"converge", "Error against step and grid: the orders measured, and what prevents convergence", add_converge},
     {"scenes", "List the shipped scenes", add_scenes},
     {"settings", "List every setting of a scene, with unit and range", add_settings},
 };

@@ -33,19 +33,6 @@ private:
     int halvings_ = 0;  // in vain, in a row
 };
 
-/// The start with every free mass moved a little, in directions that are always the same.
-State<double> pushed_aside(const Model& model, State<double> state, double distance) {
-    std::mt19937_64 random(1);
-    const auto component = [&] { return static_cast<double>(random()) * 0x1p-63 - 1.0; };  // mean square 1/3
-    for (int j = 0; j < state.rows(); ++j)
-        for (int i = 0; i < state.columns(); ++i) {
-            if (model.held(i, j)) continue;
-            const double x = component(), y = component(), z = component();
-            state.position.set(i, j, state.position.at(i, j) + distance * glm::dvec3(x, y, z));
-        }
-    return state;
-}
-
 double rms_apart(const Model& model, const FieldBuffer<double>& a, const FieldBuffer<double>& b) {
     double squares = 0.0;
     long long free = 0;
@@ -57,39 +44,6 @@ double rms_apart(const Model& model, const FieldBuffer<double>& a, const FieldBu
             ++free;
         }
     return free > 0 ? std::sqrt(squares / static_cast<double>(free)) : 0.0;
-}
-
-/// The slope of ln(distance) over time, by least squares, while the distances are small enough to grow freely. The
-/// first fifth of that is left out: there the push dies out in the fastest modes. Where too few samples are left, from
-/// the first distance that is larger.
-Growth growth_of(const Model& model, const Stretch& stretch, const Flight& one, const Flight& other) {
-    constexpr double left_out = 0.2, seen_from = 100.0;
-    const double free_below = 0.01 * std::min(model.grid.pitch_x, model.grid.pitch_y);
-    Growth growth;
-    double greatest = 0.0, ends = 0.0;            // m; s, the last moment of free growth
-    std::vector<std::pair<double, double>> free;  // s, ln m
-    for (std::size_t k = 0; k < one.positions.size(); ++k) {
-        const double distance = rms_apart(model, one.positions[k], other.positions[k]);
-        const long long batch = stretch.batches - static_cast<long long>(one.positions.size() - 1 - k) * stretch.every;
-        const double t = static_cast<double>(batch) * batch_seconds;
-        growth.last = distance;
-        const bool was_free = greatest <= free_below;
-        greatest = std::max(greatest, distance);
-        if (!was_free || !(distance > 0.0)) continue;
-        ends = t;
-        free.emplace_back(t, std::log(distance));
-    }
-    if (greatest <= seen_from * Growth::first) return growth;
-
-    double n = 0.0, t_sum = 0.0, y_sum = 0.0, tt = 0.0, ty = 0.0;
-    for (const auto& [t, y] : free) {
-        if (t < left_out * ends || y > std::log(free_below)) continue;
-        n += 1.0, t_sum += t, y_sum += y, tt += t * t, ty += t * y;
-    }
-    growth.rate = n >= 4.0 ? (ty - t_sum * y_sum / n) / (tt - t_sum * t_sum / n)
-                           : (free.back().second - std::log(Growth::first)) / ends;
-    growth.rate = std::max(0.0, growth.rate);
-    return growth;
 }
 
 class Search {
@@ -225,6 +179,55 @@ double Growth::horizon(double distance) const {
 
 Growth find_growth(const Model& model, const Stretch& stretch, Yardstick& yardstick, const ReferenceLimits& limits) {
     return Search(model, stretch, yardstick, limits).growth();
+}
+
+double Growth::amplification(double seconds) const {
+    return std::max(1.0, is_seen() ? std::min(std::exp(rate * seconds), last / first) : last / first);
+}
+
+State<double> pushed_aside(const Model& model, State<double> state, double distance) {
+    std::mt19937_64 random(1);
+    const auto component = [&] { return static_cast<double>(random()) * 0x1p-63 - 1.0; };  // mean square 1/3
+    for (int j = 0; j < state.rows(); ++j)
+        for (int i = 0; i < state.columns(); ++i) {
+            if (model.held(i, j)) continue;
+            const double x = component(), y = component(), z = component();
+            state.position.set(i, j, state.position.at(i, j) + distance * glm::dvec3(x, y, z));
+        }
+    return state;
+}
+
+/// The slope of ln(distance) over time, by least squares, while the distances are small enough to grow freely. The
+/// first fifth of that is left out: there the push dies out in the fastest modes. Where too few samples are left, from
+/// the first distance that is larger.
+Growth growth_of(const Model& model, const Stretch& stretch, const Flight& one, const Flight& other) {
+    constexpr double left_out = 0.2, seen_from = 100.0;
+    const double free_below = 0.01 * std::min(model.grid.pitch_x, model.grid.pitch_y);
+    Growth growth;
+    double greatest = 0.0, ends = 0.0;            // m; s, the last moment of free growth
+    std::vector<std::pair<double, double>> free;  // s, ln m
+    for (std::size_t k = 0; k < one.positions.size(); ++k) {
+        const double distance = rms_apart(model, one.positions[k], other.positions[k]);
+        const long long batch = stretch.batches - static_cast<long long>(one.positions.size() - 1 - k) * stretch.every;
+        const double t = static_cast<double>(batch) * batch_seconds;
+        growth.last = distance;
+        const bool was_free = greatest <= free_below;
+        greatest = std::max(greatest, distance);
+        if (!was_free || !(distance > 0.0)) continue;
+        ends = t;
+        free.emplace_back(t, std::log(distance));
+    }
+    if (greatest <= seen_from * Growth::first) return growth;
+
+    double n = 0.0, t_sum = 0.0, y_sum = 0.0, tt = 0.0, ty = 0.0;
+    for (const auto& [t, y] : free) {
+        if (t < left_out * ends || y > std::log(free_below)) continue;
+        n += 1.0, t_sum += t, y_sum += y, tt += t * t, ty += t * y;
+    }
+    growth.rate = n >= 4.0 ? (ty - t_sum * y_sum / n) / (tt - t_sum * t_sum / n)
+                           : (free.back().second - std::log(Growth::first)) / ends;
+    growth.rate = std::max(0.0, growth.rate);
+    return growth;
 }
 
 ReferenceFlight find_reference(const Model& model, const Stretch& stretch, Yardstick& yardstick,

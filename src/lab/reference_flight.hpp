@@ -36,7 +36,15 @@ struct Growth {
     bool is_seen() const { return rate > 0.0; }
     /// The time (s) until they are this far apart (m); infinite where no growth was seen.
     double horizon(double distance) const;
+    /// What a push is multiplied by in so many seconds, no more than were looked at; at least 1.
+    double amplification(double seconds) const;
 };
+
+/// The start with every free mass moved a little (m), in directions that are always the same.
+State<double> pushed_aside(const Model& model, State<double> state, double distance);
+
+/// The growth that two flights tell which began Growth::first apart. `model`: of the masses whose positions they kept.
+Growth growth_of(const Model& model, const Stretch& stretch, const Flight& one, const Flight& other);
 
 /// What a search may take.
 struct ReferenceLimits {

@@ -40,6 +40,19 @@ double distance_in(const std::string& option, const std::string& text) {
     refuse(option, text, "a distance from 0.001 nm to 1000 m with its unit (nm, um, mm, cm or m), such as 1mm,");
 }
 
+std::pair<int, int> grid_in(const std::string& text) {
+    const auto cross = text.find('x');
+    const auto side = [](const std::string& digits) {
+        const bool is_whole =
+            !digits.empty() && digits.size() < 6 && digits.find_first_not_of("0123456789") == std::string::npos;
+        return is_whole ? std::stoi(digits) : 0;
+    };
+    const int columns = cross == std::string::npos ? 0 : side(text.substr(0, cross));
+    const int rows = cross == std::string::npos ? 0 : side(text.substr(cross + 1));
+    if (columns < 1 || rows < 1) refuse("--grids", text, "COLUMNSxROWS such as 23x15");
+    return {columns, rows};
+}
+
 Scene scene_in(const std::string& scene, const std::vector<std::string>& set) {
     std::vector<Assignment> assignments;
     for (const std::string& text : set) assignments.push_back(assignment_in(text));

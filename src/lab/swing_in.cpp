@@ -67,21 +67,20 @@ void check_that_it_moves(const Model& model) {
 }
 
 double measured_unit(const Model& model) {
-    constexpr double long_enough = 0.01;  // s
-    constexpr int turns = 3;              // the least of them: another program may hold one up
+    constexpr double long_enough = 0.02;  // s
+    constexpr long long most_steps = 64;  // of one of several measurements
     const auto engine = make_engine(model, method_id<Rk4>, Precision::double_precision);
     const double dt = std::min(0.1 * stable_step(Rk4{}, model).seconds(), batch_seconds);
-    double least = INFINITY;
+    // The least of several: whatever else the machine does comes and goes.
+    const double began = wall_seconds();
+    double least = INFINITY;  // s a step
     long long done = 0;
-    for (int turn = 0; turn < turns; ++turn) {
-        const double began = wall_seconds();
-        const long long before = done;
-        for (long long steps = 1; wall_seconds() - began < long_enough; steps *= 2) {
-            Report report;
-            engine->advance({.dt = dt}, done, done + steps, no_step, report, nullptr);
-            done += steps;
-        }
-        least = std::min(least, (wall_seconds() - began) / static_cast<double>(done - before));
+    for (long long steps = 1; wall_seconds() - began < long_enough; steps = std::min(2 * steps, most_steps)) {
+        Report report;
+        const double before = wall_seconds();
+        engine->advance({.dt = dt}, done, done + steps, no_step, report, nullptr);
+        least = std::min(least, (wall_seconds() - before) / static_cast<double>(steps));
+        done += steps;
     }
     return least / engine->step_cost();
 }

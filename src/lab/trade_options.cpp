@@ -17,19 +17,6 @@ namespace drapeau::lab {
 
 namespace {
 
-std::pair<int, int> grid_in(const std::string& text) {
-    const auto cross = text.find('x');
-    const auto side = [](const std::string& digits) {
-        const bool is_whole =
-            !digits.empty() && digits.size() < 6 && digits.find_first_not_of("0123456789") == std::string::npos;
-        return is_whole ? std::stoi(digits) : 0;
-    };
-    const int columns = cross == std::string::npos ? 0 : side(text.substr(0, cross));
-    const int rows = cross == std::string::npos ? 0 : side(text.substr(cross + 1));
-    if (columns < 1 || rows < 1) refuse("--grids", text, "COLUMNSxROWS such as 23x15");
-    return {columns, rows};
-}
-
 std::optional<double> limit_in(const std::string& text) {
     if (text == "off") return {};
     const auto share = number_in(text);

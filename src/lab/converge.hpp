@@ -1,0 +1,25 @@
+// drapeau-lab converge: whether a finer grid, or a smaller step, converges: the orders measured, and where there is
+// none what prevents it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace drapeau::lab {
+
+struct ConvergeOptions {
+    std::string scene;             // a path or the name of a shipped scene
+    std::vector<std::string> set;  // "KEY=VALUE", instead of what the scene says
+    std::string methods;           // separated by commas; "" is every one there is
+    std::string grids;             // 23x15,45x29,89x57; "" is the scene's own and finer ones
+    std::string levels;            // how many of those; "" is 4
+    std::string settle = "0";      // s
+    std::string seconds;           // s; "" is 0.5, or less where the motion is chaotic
+    std::string budget = "2";      // minutes
+    std::string json;              // a file to write; "" writes none
+};
+
+/// The exit status: good or diverged. Throws InputError for bad input, before anything is computed or written.
+int converge(const ConvergeOptions& options);
+
+}  // namespace drapeau::lab
