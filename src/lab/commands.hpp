@@ -17,6 +17,7 @@ using Job = std::function<int()>;
 Job add_run(CLI::App& command);
 Job add_trade(CLI::App& command);
 Job add_stability(CLI::App& command);
+Job add_merge(CLI::App& command);
 
 /// What every command asks for.
 inline void add_scene(CLI::App& command, std::string& scene) {

@@ -54,6 +54,7 @@ constexpr Command commands[] = {
     {"trade", "Speed against accuracy: what every method, step and precision costs and loses", add_trade},
     {"stability", "The largest stable step of every method over stiffness and damping, measured and in theory",
      add_stability},
+    {"merge", "Join the parts of a sweep that several processes or machines made", add_merge},
     {"scenes", "List the shipped scenes", add_scenes},
     {"settings", "List every setting of a scene, with unit and range", add_settings},
 };

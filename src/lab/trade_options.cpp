@@ -82,7 +82,7 @@ double distance_in(const std::string& option, const std::string& text) {
     refuse(option, text, "a distance from 0.001 nm to 1000 m with its unit (nm, um, mm, cm or m), such as 1mm,");
 }
 
-TradeRequest request_in(const TradeOptions& options) {
+TradeRequest request_in(const TradeOptions& options, const Scene& scene) {
     TradeRequest request;
     constexpr double most_minutes = 7.0 * 24.0 * 60.0;
     request.batches_are_given = !options.seconds.empty();
@@ -99,6 +99,12 @@ TradeRequest request_in(const TradeOptions& options) {
     for (const std::string& item : items_of(options.grids)) choice.grids.push_back(grid_in(item));
     for (const std::string& item : items_of(options.limits)) choice.limits.push_back(limit_in(item));
     choice.both_diagonals = options.both_diagonals;
+    request.scene = scene;
+    return request;
+}
+
+TradeRequest request_in(const TradeOptions& options) {
+    TradeRequest request = request_in(options, Scene{});
     request.scene = scene_in(options);
     return request;
 }

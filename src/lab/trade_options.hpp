@@ -8,6 +8,8 @@ namespace drapeau::lab {
 
 /// Throws InputError that names the option, its value and what is allowed.
 TradeRequest request_in(const TradeOptions& options);
+/// The same of a scene that is read already.
+TradeRequest request_in(const TradeOptions& options, const Scene& scene);
 
 /// A distance with its unit, "1mm" or "0.5 mm", in m. Throws InputError.
 double distance_in(const std::string& option, const std::string& text);

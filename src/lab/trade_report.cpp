@@ -3,6 +3,7 @@
 #include "io/text.hpp"
 #include "scene/file.hpp"
 #include "text_table.hpp"
+#include "trade_records.hpp"
 
 #include "drapeau/stability.hpp"
 
@@ -96,17 +97,6 @@ Row row_of(const TradeSweep& sweep, const Measured& measured) {
     row.push_back(factor(measured.ms_per_second));
     row.push_back(measured.is_measured() ? std::to_string(measured.force_evaluations) : "-");
     return row;
-}
-
-nlohmann::ordered_json statistics_json(const TipStatistics& tip) {
-    return {{"mean_m", {tip.mean.x, tip.mean.y, tip.mean.z}},
-            {"mean_error_m", tip.mean_error},
-            {"variance_m2", tip.variance},
-            {"variance_error_m2", tip.variance_error},
-            {"mean_hz", tip.mean_hertz},
-            {"mean_error_hz", tip.mean_hertz_error},
-            {"peak_hz", tip.peak_hertz},
-            {"peak_error_hz", tip.peak_hertz_error}};
 }
 
 nlohmann::ordered_json as_json(const TradeSweep& sweep, const Measured& measured) {
