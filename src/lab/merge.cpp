@@ -1,10 +1,11 @@
 #include "merge.hpp"
 
-#include "commands.hpp"
+#include "gnuplot.hpp"
 #include "io/error.hpp"
 #include "io/terminal.hpp"
 #include "io/text.hpp"
 #include "outputs.hpp"
+#include "program.hpp"
 
 namespace drapeau::lab {
 
@@ -15,12 +16,13 @@ struct Merger {
     const char* command;
     int (*merge)(const Joined&, const MergeOptions&);
 };
-constexpr Merger mergers[] = {{"trade", merge_trade}};
+constexpr Merger mergers[] = {{"trade", merge_trade}, {"stability", merge_stability}};
 
 void check_files(const MergeOptions& options) {
     std::vector<NamedFile> inputs;
     for (const std::string& part : options.parts) inputs.push_back({"a part", part});
-    check_outputs(inputs, asked_for({{"--write", options.write}, {"--json", options.json}}));
+    check_plot("--plot", options.plot);
+    check_outputs(inputs, asked_for({{"--write", options.write}, {"--json", options.json}, {"--plot", options.plot}}));
 }
 
 }  // namespace

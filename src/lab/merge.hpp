@@ -10,7 +10,7 @@ namespace drapeau::lab {
 
 struct MergeOptions {
     std::vector<std::string> parts;
-    std::string json, write;  // files to write; "" writes none
+    std::string json, write, plot;  // files to write; "" writes none
 };
 
 /// The exit status. Throws InputError for parts that are none, or not of one sweep.
@@ -18,5 +18,6 @@ int merge(const MergeOptions& options);
 
 // What each command makes of its own parts, outputs having been checked.
 int merge_trade(const Joined& joined, const MergeOptions& options);
+int merge_stability(const Joined& joined, const MergeOptions& options);
 
 }  // namespace drapeau::lab

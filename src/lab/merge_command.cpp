@@ -29,6 +29,7 @@ Job add_merge(CLI::App& command) {
         command
             .add_option("--write", options.write, "Save the scene with the setting for --tolerance, if its check holds")
             ->type_name("FILE.toml"));
+    add_plot_option(command, options.plot, "Draw what the command itself draws");
     return [given] { return merge(*given); };
 }
 

@@ -1,12 +1,14 @@
 #include "part_file.hpp"
 
-#include "commands.hpp"
+#include "exit_status.hpp"
 #include "io/error.hpp"
 #include "io/text.hpp"
 #include "io/text_file.hpp"
+#include "program.hpp"
 
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 
 #include <fcntl.h>
@@ -70,23 +72,28 @@ Part resumed(const PartOptions& options, const SweepIdentity& sweep, const Shard
 
 }  // namespace
 
-void add_part_options(CLI::App& command, PartOptions& options) {
-    take_as_path(
-        command.add_option("--part", options.file, "Keep each point in this file as it is done; merge reads it")
-            ->type_name("FILE.jsonl"));
-    command.add_option("--shard", options.shard, "Measure only the I-th of N shares of the points; merge joins them")
-        ->type_name("I/N");
-    command.add_flag("--resume", options.resume, "Go on with what --part holds, if it is there");
-}
-
-Shard shard_of(const PartOptions& options, const std::vector<std::string>& others) {
+Shard shard_of(const PartOptions& options, const std::vector<NamedFile>& outputs) {
     const Shard shard = shard_in("--shard", options.shard);
     if (options.file.empty() && !options.shard.empty())
         throw InputError("--shard: give --part too, the file that keeps its points");
     if (options.file.empty() && options.resume) throw InputError("--resume: give --part too, the file to go on with");
-    if (!shard.is_whole() && !others.empty())
-        throw InputError(others.front() + ": a shard has not all points; drapeau-lab merge takes it, for all shards");
+    if (!shard.is_whole() && !outputs.empty())
+        throw InputError(outputs.front().asked_by +
+                         ": a shard has not all points; drapeau-lab merge takes it, for all shards");
     return shard;
+}
+
+std::vector<NamedFile> with_part(std::vector<NamedFile> outputs, const PartOptions& options) {
+    if (!options.file.empty()) outputs.push_back({"--part", options.file});
+    return outputs;
+}
+
+int say_shard_is_done(const Part& part) {
+    const std::string text = "shard " + part.shard.text() + " is done: " + std::to_string(part.points.size()) +
+                             " points in " + one_line(part.file, 1000) + "; when all " +
+                             std::to_string(part.shard.count) + " are, drapeau-lab merge joins them\n";
+    std::fputs(text.c_str(), stdout);
+    return exit_good;
 }
 
 PartFile::PartFile(const PartOptions& options, const SweepIdentity& sweep, const Shard& shard) {

@@ -2,10 +2,11 @@
 // so that whatever ends the program, the file holds whole records and is gone on with from there.
 #pragma once
 
-#include "io/command_line.hpp"
+#include "io/output_file.hpp"
 #include "parts.hpp"
 
 #include <string>
+#include <vector>
 
 namespace drapeau::lab {
 
@@ -15,11 +16,14 @@ struct PartOptions {
     bool resume = false;
 };
 
-/// Adds --part, --shard and --resume.
-void add_part_options(CLI::App& command, PartOptions& options);
+/// The shard asked for. Throws InputError where options do not go together; `outputs` are files that need all points.
+Shard shard_of(const PartOptions& options, const std::vector<NamedFile>& outputs);
 
-/// The shard asked for. Throws InputError where options do not go together; `others` are options that need all points.
-Shard shard_of(const PartOptions& options, const std::vector<std::string>& others);
+/// The outputs and the part, if there is one.
+std::vector<NamedFile> with_part(std::vector<NamedFile> outputs, const PartOptions& options);
+
+/// What a shard ends with, on standard output; the exit status.
+int say_shard_is_done(const Part& part);
 
 class PartFile {
 public:

@@ -1,12 +1,13 @@
 #include "trade.hpp"
 
-#include "commands.hpp"
 #include "exit_status.hpp"
+#include "gnuplot.hpp"
 #include "io/error.hpp"
 #include "io/terminal.hpp"
 #include "io/text.hpp"
 #include "merge.hpp"
 #include "outputs.hpp"
+#include "program.hpp"
 #include "progress.hpp"
 #include "scene/file.hpp"
 #include "trade_options.hpp"
@@ -23,11 +24,6 @@
 namespace drapeau::lab {
 
 namespace {
-
-/// "about 40 s" or "about 12 min".
-std::string duration(double seconds) {
-    return seconds < 100.0 ? rounded(seconds, 2) + " s" : rounded(seconds / 60.0, 2) + " min";
-}
 
 /// Nothing, once the references are flown; or the exit status.
 std::optional<int> prepared(TradeSweep& sweep, const TradeOptions& options, const Tick& tick) {
@@ -120,25 +116,17 @@ int in_parts(const TradeOptions& options, const TradeRequest& request, const Tra
         if (shard.is_whole())
             findings = findings_of(sweep, points_in(file.part(), sweep), [&](double) { progress.show(1.0); });
     }
-    if (shard.is_whole()) return report(sweep, findings, outputs);
-    const std::string text =
-        fmt::format("shard {} is done: {} points in {}; when all {} are, drapeau-lab merge joins them\n", shard.text(),
-                    places.size(), printable(options.part.file), shard.count);
-    std::fputs(text.c_str(), stdout);
-    return exit_good;
+    return shard.is_whole() ? report(sweep, findings, outputs) : say_shard_is_done(file.part());
 }
 
 }  // namespace
 
 int trade(const TradeOptions& options) {
     TradeRequest request = request_in(options);
-    const TradeOutputs outputs{options.json, options.write, find_scene(options.scene)};
-    std::vector<std::string> of_the_whole;
-    for (const NamedFile& output : outputs.files()) of_the_whole.push_back(output.asked_by);
-    const Shard shard = shard_of(options.part, of_the_whole);
-    std::vector<NamedFile> files = outputs.files();
-    if (!options.part.file.empty()) files.push_back({"--part", options.part.file});
-    check_outputs({{"the scene", outputs.scene_file.string()}}, files);
+    const TradeOutputs outputs{options.json, options.write, options.plot, find_scene(options.scene)};
+    const Shard shard = shard_of(options.part, outputs.files());
+    check_outputs({{"the scene", outputs.scene_file.string()}}, with_part(outputs.files(), options.part));
+    check_plot("--plot", options.plot);
     request.counts_work = !options.part.file.empty();
     return request.counts_work ? in_parts(options, request, outputs, shard) : at_once(options, request, outputs);
 }
@@ -147,7 +135,7 @@ int merge_trade(const Joined& joined, const MergeOptions& merging) {
     const TradeOptions options = options_in(joined.all.sweep);
     TradeRequest request = request_in(options, parse_scene(joined.all.sweep.scene, joined.all.file));
     request.counts_work = true;
-    const TradeOutputs outputs{merging.json, merging.write, {}};
+    const TradeOutputs outputs{merging.json, merging.write, merging.plot, {}};
     if (!merging.write.empty() && !request.tolerance)
         throw InputError("--write: it saves the setting for a tolerance, and the sweep was made without --tolerance");
     TradeSweep sweep(request);

@@ -25,6 +25,7 @@ struct TradeOptions {
     std::string tolerance;     // "1mm"; "" names no setting
     std::string write;         // files to write; "" writes none
     std::string json;
+    std::string plot;
     PartOptions part;
 };
 

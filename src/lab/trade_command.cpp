@@ -50,6 +50,7 @@ Job add_trade(CLI::App& command) {
     take_as_path(command.add_option("--write", options.write, "Save the scene with that setting, if its check holds")
                      ->type_name("FILE.toml"));
     take_as_path(command.add_option("--json", options.json, "Write the results as one JSON object")->type_name("FILE"));
+    add_plot_option(command, options.plot, "Draw cost over error");
     add_part_options(command, options.part);
     return [given] { return trade(*given); };
 }

@@ -1,11 +1,15 @@
 #include "trade_outcome.hpp"
 
 #include "exit_status.hpp"
+#include "gnuplot.hpp"
 #include "io/error.hpp"
+#include "io/terminal.hpp"
 #include "io/text.hpp"
 #include "io/text_file.hpp"
 #include "outputs.hpp"
+#include "program.hpp"
 #include "scene/file.hpp"
+#include "trade_plot.hpp"
 
 #include <fmt/format.h>
 
@@ -74,7 +78,7 @@ int conclude(const TradeSweep& sweep, const TradeFindings& findings, std::FILE* 
 }  // namespace
 
 std::vector<NamedFile> TradeOutputs::files() const {
-    return asked_for({{"--write", write}, {"--json", json}});
+    return asked_for({{"--write", write}, {"--json", json}, {"--plot", plot}});
 }
 
 void check_tolerance(const TradeSweep& sweep, const std::string& tolerance) {
@@ -109,6 +113,10 @@ int report(const TradeSweep& sweep, const TradeFindings& findings, const TradeOu
     }
     if (!outputs.json.empty())
         write_text_file(outputs.json, [&](const Append& append) { append(as_json(sweep, findings).dump(2) + "\n"); });
+    if (!outputs.plot.empty() && sweep.is_beyond_horizon())
+        complain(program, "--plot: nothing drawn: beyond the horizon errors of positions say nothing");
+    else if (!outputs.plot.empty())
+        plot(outputs.plot, work_precision_script(sweep, findings));
     if (!outputs.write.empty() && status == exit_good) {
         const TradePoint& best = findings.points[*findings.recommended.place].point;
         const std::string text = scene_text(best.scene_on(sweep.variants()[best.variant]), outputs.scene_file);

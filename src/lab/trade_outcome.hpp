@@ -12,7 +12,7 @@
 namespace drapeau::lab {
 
 struct TradeOutputs {
-    std::string json, write;           // "" writes none
+    std::string json, write, plot;     // "" writes none
     std::filesystem::path scene_file;  // beside which the scene's image is; "" where that is not known
 
     std::vector<NamedFile> files() const;
