@@ -117,7 +117,7 @@ void plot(const std::string& file, const std::string& script) {
 
 std::string plot_text(const std::string& text) {
     std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
+    for (const char c : text) quoted += c == '\'' ? "''" : c == '\n' ? "'.\"\\n\".'" : std::string(1, c);
     return quoted + "'";
 }
 

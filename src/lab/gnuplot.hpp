@@ -14,7 +14,7 @@ void check_plot(const std::string& option, const std::string& file);
 /// Lets gnuplot draw by `script` and puts the picture into the file, whole or not at all. Throws InputError.
 void plot(const std::string& file, const std::string& script);
 
-/// A string of a script: shown as it is, whatever is in it.
+/// A text of a script: shown as it is, whatever is in it.
 std::string plot_text(const std::string& text);
 
 /// A number of a script.

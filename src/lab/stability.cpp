@@ -190,7 +190,7 @@ int stability(const StabilityOptions& options) {
 int merge_stability(const Joined& joined, const MergeOptions& merging) {
     if (!merging.write.empty()) throw InputError("--write: a stability map has no setting to save");
     StabilityMap map;
-    map.scene = parse_scene(joined.all.sweep.scene, joined.all.file);
+    map.scene = parse_scene(joined.all.sweep.scene, joined.all.file + ", its scene");
     map.points = points_of(map.scene, options_of_stability(joined.all.sweep));
     check_scene_moves(map.scene);
     if (const auto missing = joined.missing(keys_of(map.points))) {

@@ -133,7 +133,7 @@ int trade(const TradeOptions& options) {
 
 int merge_trade(const Joined& joined, const MergeOptions& merging) {
     const TradeOptions options = options_in(joined.all.sweep);
-    TradeRequest request = request_in(options, parse_scene(joined.all.sweep.scene, joined.all.file));
+    TradeRequest request = request_in(options, parse_scene(joined.all.sweep.scene, joined.all.file + ", its scene"));
     request.counts_work = true;
     const TradeOutputs outputs{merging.json, merging.write, merging.plot, {}};
     if (!merging.write.empty() && !request.tolerance)

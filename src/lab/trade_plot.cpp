@@ -75,7 +75,10 @@ Frame frame_of(const TradeFindings& findings) {
     if (!(frame.right > 0.0)) frame.left = 1e-6, frame.right = 1e-3;
     if (!(frame.top > 0.0)) frame.bottom = 0.1 * real_time, frame.top = real_time;
     const double decades = std::log10(frame.right / frame.left);
-    frame.left /= margin, frame.bottom /= margin, frame.top *= margin;
+    frame.left /= margin;
+    // Whole decades: their ends have labels.
+    frame.bottom = std::pow(10.0, std::floor(std::log10(frame.bottom)));
+    frame.top = std::pow(10.0, std::ceil(std::log10(frame.top)));
     frame.right *= margin;
     frame.edge = frame.right * std::pow(10.0, std::max(0.15, 0.03 * decades));
     if (frame.has_diverged) frame.right = frame.edge * std::pow(10.0, std::max(0.15, 0.03 * decades));
@@ -151,7 +154,7 @@ void add_keys(Curves& curves, const TradeFindings& findings, bool has_diverged) 
     curves.add_key(fmt::format("with linespoints lw 1 dt 3 lc rgb '{}' pt 6 title 'float'", plot_grey));
     if (has_diverged)
         curves.add_key(
-            fmt::format("with points pt 2 lw 2 lc rgb '{}' title 'diverged, at the cost of its steps'", plot_grey));
+            fmt::format("with points pt 2 lw 2 lc rgb '{}' title 'diverged (its steps would cost that)'", plot_grey));
 }
 
 }  // namespace
@@ -169,10 +172,10 @@ std::string work_precision_script(const TradeSweep& sweep, const TradeFindings& 
         "set logscale xy\nset format x '%.0s %cm'\nset format y '%.0s %cs'\n"
         "set xrange [{}:{}]\nset yrange [{}:{}]\n"
         "set grid lc rgb '#e4e4e4' lt 1\nset border 3\nset tics nomirror\n"
-        "set key outside right top Left reverse samplen 2 spacing 1.2 noenhanced\n",
+        "set key outside bottom center horizontal Left reverse samplen 2 spacing 1.2 maxrows 3 noenhanced\n",
         plot_text(title), plot_number(frame.left), plot_number(frame.right), plot_number(seconds(frame.bottom)),
         plot_number(seconds(frame.top)));
-    if (frame.bottom < real_time && real_time < frame.top)
+    if (frame.bottom < real_time && real_time <= frame.top)
         script += fmt::format(
             "set arrow from graph 0, first {0} to graph 1, first {0} nohead lc rgb '{1}' lw 1.5 dt 2\n"
             "set label 'real time' at graph 0.01, first {0} offset 0,0.5 tc rgb '{1}'\n",
@@ -181,7 +184,7 @@ std::string work_precision_script(const TradeSweep& sweep, const TradeFindings& 
     if (frame.left < resolved && resolved < frame.right)
         script += fmt::format(
             "set arrow from {0}, graph 0 to {0}, graph 1 nohead lc rgb '{1}' lw 1 dt 4\n"
-            "set label 'below: not resolved' at {0}, graph 0.02 rotate by 90 offset -0.6,0 tc rgb '{1}'\n",
+            "set label 'left of this: not resolved' at {0}, graph 0.02 rotate by 90 offset -1.1,0 tc rgb '{1}'\n",
             plot_number(resolved), plot_grey);
     Curves curves;
     add_front(curves, findings);
