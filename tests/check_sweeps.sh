@@ -8,7 +8,8 @@ set -euo pipefail
 
 lab=$1 folder=$2
 shards=4
-sweep=(trade report --set flag.columns=12 --set flag.rows=8 --settle 0.5 --seconds 0.25 --budget 2)
+sweep=(trade report --set flag.columns=12 --set flag.rows=8 --settle 0.5 --seconds 0.25 --budget 0.25
+    --methods semi-implicit-euler,leapfrog,rk4,xpbd)
 
 rm -rf "$folder"
 mkdir -p "$folder"

@@ -67,6 +67,18 @@ bool has_some(const std::vector<Panel::Point>& points, double Panel::Point::*val
     return std::any_of(points.begin(), points.end(), [&](const auto& point) { return is_drawn(point.*value); });
 }
 
+/// From none on, with a few round numbers: many would not fit beside each other.
+std::string damping_axis(const Panel& panel) {
+    double most = 0.0;
+    for (const auto& [method, points] : panel.points)
+        for (const Panel::Point& point : points) most = std::max(most, point.x);
+    if (!(most > 0.0)) return "set xrange [-1:1]\nset xtics 1\n";
+    const double decade = std::pow(10.0, std::floor(std::log10(0.3 * most)));
+    const double times = 0.3 * most / decade, step = decade * (times < 2.0 ? 1.0 : times < 5.0 ? 2.0 : 5.0);
+    return fmt::format("set xrange [{}:{}]\nset xtics {}\n", plot_number(-0.05 * most), plot_number(1.05 * most),
+                       plot_number(step));
+}
+
 /// The plot command of a panel and, before it, its data.
 std::string panel_script(const Panel& panel, const std::string& prefix) {
     std::string data, command;
@@ -106,15 +118,13 @@ std::string stability_script(const StabilityMap& map) {
         script += "set title " + plot_text(title) + " noenhanced\n";
     script += "set key bottom left Left reverse samplen 2 noenhanced\n";
     if (!stiffness.points.empty())
-        script += fmt::format("set logscale x\nset format x '%.0s %cN/m'\nset xlabel 'stiffness (damping {})'\n",
+        script += fmt::format("set logscale x\nset format x '%g'\nset xlabel 'stiffness in N/m, damping {}'\n",
                               quantity(map.scene.springs.damping.value_or(0.0), "N·s/m")) +
                   panel_script(stiffness, "k");
     if (!damping.points.empty())
-        script += fmt::format(
-                      "unset logscale x\nset format x '%.1s %cN·s/m'\nset xlabel 'damping (stiffness {})'\n"
-                      "set xtics rotate by -30\nset offsets graph 0.05, graph 0.05\n",
-                      quantity(map.scene.springs.stiffness, "N/m")) +
-                  (both ? "unset key\n" : "") + panel_script(damping, "c");
+        script += fmt::format("unset logscale x\nset format x '%g'\nset xlabel 'damping in N·s/m, stiffness {}'\n",
+                              quantity(map.scene.springs.stiffness, "N/m")) +
+                  damping_axis(damping) + (both ? "unset key\n" : "") + panel_script(damping, "c");
     if (stiffness.points.empty() && damping.points.empty())
         script +=
             "unset tics\nunset border\nunset ylabel\nset label 'no method has a limit' at graph 0.5, graph 0.5 center\n"
