@@ -50,44 +50,50 @@ int at_once(const TradeOptions& options, const TradeRequest& request, const Trad
     return report(sweep, findings, outputs);
 }
 
-/// How often a point that is kept was timed, all its rounds being made in one shard or another.
-int rounds_missing(const TradeSweep& sweep, const PartFile& file, std::size_t n) {
-    int missing = 0;
-    const std::string& key = sweep.point(n).key;
-    use_point(file.part(), key, [&](const PointRecord& record) {
-        missing =
-            TradeSweep::rounds_of(measured_in(record, sweep.point(n))) + 1 - static_cast<int>(record.costs.size());
-    });
-    return missing;
+/// The point as the file keeps it.
+Measured kept(const TradeSweep& sweep, const PartFile& file, std::size_t n) {
+    Measured measured;
+    use_point(file.part(), sweep.point(n).key,
+              [&](const PointRecord& record) { measured = measured_in(record, sweep.point(n)); });
+    return measured;
 }
 
-/// Measures those points of the shard that the file lacks, then times all of them in turns.
+/// Times every point as often as it should be, in turns.
+void time_shard(const TradeSweep& sweep, const std::vector<std::size_t>& places, PartFile& file, const Tick& tick) {
+    std::vector<Measured> points;
+    std::vector<int> missing;  // rounds of each
+    double left = 0.0;
+    for (const std::size_t n : places) {
+        points.push_back(kept(sweep, file, n));
+        const auto times = static_cast<int>(file.part().points.at(sweep.point(n).key).costs.size());
+        missing.push_back(std::max(0, TradeSweep::rounds_of(points.back()) + 1 - times));
+        left += missing.back();
+    }
+    for (const double all = left; left > 0.0;)
+        for (std::size_t n = 0; n < points.size(); ++n) {
+            if (missing[n] == 0) continue;
+            points[n].ms_per_second = sweep.time_again(points[n]);
+            file.add_cost(points[n].point.key, cost_json(points[n]));
+            --missing[n];
+            tick(1.0 - --left / all);
+        }
+}
+
+/// Measures those points of the shard that the file lacks, then times all of them.
 void measure_shard(const TradeSweep& sweep, const std::vector<std::size_t>& places, PartFile& file, const Tick& tick) {
+    constexpr double for_errors = 0.5;  // of the time, about
     const double all = std::max(sweep.seconds_of_points(places), 1e-9);
     std::vector<std::size_t> done;
     for (const std::size_t n : places) {
-        const TradePoint& point = sweep.point(n);
-        const double share = sweep.seconds_of_points(done) / all;
+        const double share = for_errors * sweep.seconds_of_points(done) / all;
         tick(share);
-        if (!file.has(point.key)) {
+        if (!file.has(sweep.point(n).key)) {
             const Measured measured = sweep.measure_one(n, [&](double) { tick(share); });
-            file.add(point.key, cost_json(measured), result_json(measured));
+            file.add(measured.point.key, cost_json(measured), result_json(measured));
         }
         done.push_back(n);
     }
-    for (bool is_left = true; is_left;) {
-        is_left = false;
-        for (const std::size_t n : places) {
-            if (rounds_missing(sweep, file, n) <= 0) continue;
-            Measured measured;
-            use_point(file.part(), sweep.point(n).key,
-                      [&](const PointRecord& record) { measured = measured_in(record, sweep.point(n)); });
-            measured.ms_per_second = sweep.time_again(measured);
-            file.add_cost(sweep.point(n).key, cost_json(measured));
-            is_left = true;
-            tick(1.0);
-        }
-    }
+    time_shard(sweep, places, file, [&](double share) { tick(for_errors + (1.0 - for_errors) * share); });
 }
 
 /// A sweep, or a shard of one, whose points are kept as they are done. The whole ends as one at once does.

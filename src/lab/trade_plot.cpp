@@ -135,12 +135,13 @@ void add_diverged(Curves& curves, const TradeFindings& findings, const Frame& fr
         curves.add(text, fmt::format("with points pt 2 lw 2 ps 1.1 lc rgb '{}' notitle", style_of(method).colour));
 }
 
+/// What a tolerance costs at least: from each setting of the front to the next that is less exact, its cost.
 void add_front(Curves& curves, const TradeFindings& findings) {
     std::string lines;
-    for (const std::size_t n : findings.front)
-        if (is_drawn(findings.points[n]))
-            lines += line_of(findings.points[n].error.at_end, findings.points[n].ms_per_second);
-    if (!lines.empty()) curves.add(lines, fmt::format("with lines lw 5 lc rgb '#cccccc' title 'efficient front'"));
+    for (auto n = findings.front.rbegin(); n != findings.front.rend(); ++n)
+        if (const Measured& point = findings.points[*n]; is_drawn(point))
+            lines += line_of(point.error.at_end, point.ms_per_second);
+    if (!lines.empty()) curves.add(lines, "with steps lw 5 lc rgb '#cccccc' title 'efficient front'");
 }
 
 void add_keys(Curves& curves, const TradeFindings& findings, bool has_diverged) {
@@ -167,7 +168,7 @@ std::string work_precision_script(const TradeSweep& sweep, const TradeFindings& 
     if (sweep.variants().size() > 1) title += " (small markers: other models)";
     std::string script = fmt::format(
         "set title {} noenhanced\n"
-        "set xlabel 'error at the end (rms over the masses)'\n"
+        "set xlabel \"error at the end (rms over the masses)\\n \"\n"
         "set ylabel 'processor time for a simulated second'\n"
         "set logscale xy\nset format x '%.0s %cm'\nset format y '%.0s %cs'\n"
         "set xrange [{}:{}]\nset yrange [{}:{}]\n"
