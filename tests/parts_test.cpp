@@ -4,9 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace drapeau::testing;
@@ -77,6 +79,23 @@ TEST_CASE("shards together are the whole sweep, bit for bit in everything but ti
     CHECK(without_times(bench, "merged.json") == without_times(bench, "whole.json"));
     CHECK(bench.run("merge whole.jsonl --json again.json").status == 0);
     CHECK(contents(bench.path / "again.json") == contents(bench.path / "whole.json"));
+}
+
+TEST_CASE("what is measured in parts does not depend on how busy the machine is") {
+    // The budget ends the search for a reference, and leaves settings out.
+    const std::string hard =
+        "trade report --set flag.columns=6 --set flag.rows=5 --settle 0 --seconds 0.2 --budget 0.02 "
+        "--precisions double --part part";
+    const Bench alone;
+    check_done(alone.run(hard));
+    const auto measured = results(alone, {"part"});
+    CHECK(std::any_of(measured.begin(), measured.end(), [](const auto& line) { return has(line, "\"left out\""); }));
+
+    const std::vector<Bench> crowd(6);
+    std::vector<std::thread> threads;
+    for (const Bench& one : crowd) threads.emplace_back([&one, &hard] { one.run(hard); });
+    for (std::thread& thread : threads) thread.join();
+    for (const Bench& one : crowd) CHECK(results(one, {"part"}) == measured);
 }
 
 TEST_CASE("a stability map in shards is the whole one") {
