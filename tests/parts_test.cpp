@@ -168,6 +168,8 @@ TEST_CASE("merge names what is missing, and how to make it") {
     std::string text = contents(bench.path / "3");
     bench.write("3", text.substr(0, text.find("{\"point\"")));
     CHECK(has(bench.run("merge 1 3").messages, "shard 3/3 lacks 4, its command with --resume goes on with 3"));
+    CHECK(has(bench.run("merge 3").messages, "13 of 13 points are missing"));
+    CHECK(has(bench.run("merge 3").messages, "; shards 1/3 and 2/3 are not among the parts; shard 3/3 lacks 4"));
     CHECK(bench.files() == std::vector<std::string>{"1", "3"});
 }
 

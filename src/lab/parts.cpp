@@ -94,6 +94,18 @@ std::string text_of(const Json& value) {
     return value == "" ? "not given" : one_line(value.get<std::string>(), 60);
 }
 
+/// "; shards 2/8, 3/8 and 4 more are not among the parts", or nothing.
+std::string absent_text(const std::vector<std::string>& shards) {
+    constexpr std::size_t named_at_most = 8;
+    if (shards.empty()) return "";
+    if (shards.size() == 1) return "; shard " + shards.front() + " is not among the parts";
+    const std::size_t listed = std::min(shards.size(), named_at_most);
+    std::string text = "; shards " + shards.front();
+    for (std::size_t n = 1; n < listed; ++n) text += (n + 1 == shards.size() ? " and " : ", ") + shards[n];
+    if (listed < shards.size()) text += fmt::format(" and {} more", shards.size() - listed);
+    return text + " are not among the parts";
+}
+
 /// Takes the points of one more part into all of them.
 void take(Part& all, const Part& part) {
     for (const auto& [key, point] : part.points) {
@@ -202,7 +214,6 @@ std::string point_line(const std::string& key, const Json& cost, const Json& res
 }
 
 std::optional<std::string> Joined::missing(const std::vector<std::string>& keys) const {
-    std::string wanting;
     std::size_t count = 0;
     const std::string* first = nullptr;
     std::map<std::size_t, std::size_t> of_shard;  // place, how many
@@ -213,15 +224,19 @@ std::optional<std::string> Joined::missing(const std::vector<std::string>& keys)
         ++of_shard[n % shards + 1];
     }
     if (count == 0) return {};
+    std::vector<std::string> absent;
+    std::string unfinished;
     for (const auto& [place, of_it] : of_shard) {
         const Shard shard{place, shards};
         const auto part = std::find_if(parts.begin(), parts.end(), [&](const Part& one) { return one.shard == shard; });
-        wanting += fmt::format("; shard {} {}", shard.text(),
-                               part == parts.end() ? "is not among the parts"
-                                                   : fmt::format("lacks {}, its command with --resume goes on with {}",
-                                                                 of_it, named(*part)));
+        if (part == parts.end())
+            absent.push_back(shard.text());
+        else
+            unfinished += fmt::format("; shard {} lacks {}, its command with --resume goes on with {}", shard.text(),
+                                      of_it, named(*part));
     }
-    return fmt::format("{} of {} points are missing, {} for one{}", count, keys.size(), in_quotes(*first), wanting);
+    return fmt::format("{} of {} points are missing, {} for one{}{}", count, keys.size(), in_quotes(*first),
+                       absent_text(absent), unfinished);
 }
 
 Joined join(const std::vector<std::string>& files) {
