@@ -79,8 +79,8 @@ std::string damping_axis(const Panel& panel) {
                        plot_number(step));
 }
 
-/// The plot command of a panel and, before it, its data.
-std::string panel_script(const Panel& panel, const std::string& prefix) {
+/// The plot command of a panel and, before it, its data. Its key names the methods of the other panel too.
+std::string panel_script(const Panel& panel, const std::string& prefix, const Panel& other) {
     std::string data, command;
     const auto add = [&](const std::string& curve) { command += (command.empty() ? "plot " : ", \\\n  ") + curve; };
     for (const auto& [method, points] : panel.points) {
@@ -96,6 +96,10 @@ std::string panel_script(const Panel& panel, const std::string& prefix) {
                             style.colour, plot_text(std::string(name_of(method)))));
         }
     }
+    for (const auto& [method, points] : other.points)
+        if (!panel.points.contains(method))
+            add(fmt::format("NaN with points pt {} ps 1.2 lc rgb '{}' title {}", style_of(method).filled,
+                            style_of(method).colour, plot_text(std::string(name_of(method)))));
     add(fmt::format("NaN with points pt 7 lc rgb '{}' title 'measured'", plot_grey));
     add(fmt::format("NaN with lines lw 1.5 lc rgb '{}' title 'theory, at the same values'", plot_grey));
     return data + command + "\n";
@@ -120,11 +124,11 @@ std::string stability_script(const StabilityMap& map) {
     if (!stiffness.points.empty())
         script += fmt::format("set logscale x\nset format x '%g'\nset xlabel 'stiffness in N/m, damping {}'\n",
                               quantity(map.scene.springs.damping.value_or(0.0), "N·s/m")) +
-                  panel_script(stiffness, "k");
+                  panel_script(stiffness, "k", damping);
     if (!damping.points.empty())
         script += fmt::format("unset logscale x\nset format x '%g'\nset xlabel 'damping in N·s/m, stiffness {}'\n",
                               quantity(map.scene.springs.stiffness, "N/m")) +
-                  damping_axis(damping) + (both ? "unset key\n" : "") + panel_script(damping, "c");
+                  damping_axis(damping) + (both ? "unset key\n" : "") + panel_script(damping, "c", stiffness);
     if (stiffness.points.empty() && damping.points.empty())
         script +=
             "unset tics\nunset border\nunset ylabel\nset label 'no method has a limit' at graph 0.5, graph 0.5 center\n"
