@@ -21,7 +21,8 @@ namespace {
 using Json = nlohmann::json;
 
 Json price(const Bench& bench, const std::string& arguments, int status = 0) {
-    const Outcome outcome = bench.run("price " + arguments + " --json p.json", "timeout 300 ");
+    const std::string budget = arguments.find("--budget") == std::string::npos ? " --budget 0.2" : "";
+    const Outcome outcome = bench.run("price " + arguments + budget + " --json p.json", "timeout 300 ");
     INFO(arguments << ": " << outcome.messages << outcome.output);
     REQUIRE(outcome.status == status);
     return Json::parse(contents(bench.path / "p.json"));

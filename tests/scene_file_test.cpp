@@ -228,6 +228,7 @@ TEST_CASE("every key of the format is read") {
         springs = true
         forces = true
         masses = true
+        reference = true
         texture_proportions = true)",
                                     "all.toml");
     Scene expected;

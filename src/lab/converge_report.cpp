@@ -2,6 +2,7 @@
 
 #include "converge_conclusion.hpp"
 #include "io/text.hpp"
+#include "progress.hpp"
 #include "report_text.hpp"
 #include "scene/file.hpp"
 #include "text_table.hpp"

@@ -29,8 +29,8 @@ bool take_out(Scene& scene, const std::string& wanted) {
 }
 
 /// The part, with whatever would be a fault without it left out as well.
-Part part_of(const std::string& key, const std::string& label, const Scene& without) {
-    Part part{key, label, without, {}, ""};
+ScenePart part_of(const std::string& key, const std::string& label, const Scene& without) {
+    ScenePart part{key, label, without, {}, ""};
     while (const auto fault = find_fault(part.without)) {
         if (!take_out(part.without, fault->table)) {
             part.impossible = fault->text();
@@ -62,7 +62,7 @@ class Parts {
 public:
     explicit Parts(const Scene& scene) : scene_(scene) {}
 
-    std::vector<Part> all() {
+    std::vector<ScenePart> all() {
         Scene rest = scene_;
         each_table(rest, [&](const std::string& table, auto& settings, const auto& keys, bool) {
             if constexpr (std::is_same_v<std::decay_t<decltype(settings)>, SpringSettings>) {
@@ -141,12 +141,12 @@ private:
     }
 
     const Scene& scene_;
-    std::vector<Part> parts_;
+    std::vector<ScenePart> parts_;
 };
 
 }  // namespace
 
-std::vector<Part> parts_of(const Scene& scene) {
+std::vector<ScenePart> parts_of(const Scene& scene) {
     return Parts(scene).all();
 }
 

@@ -9,7 +9,7 @@
 
 namespace drapeau::lab {
 
-struct Part {
+struct ScenePart {
     std::string key;    // stable, as in a scene file: "springs.drag", "wind", "wind.gusts", "time.precision", "flag"
     std::string label;  // for people: "springs.drag = 0.0006 N·s/m, and the wind that needs it"
     Scene without;      // the scene that is left
@@ -20,6 +20,6 @@ struct Part {
 /// Of the springs each setting that may be absent; each term and limit listed, and of those with several settings each
 /// vector among others and each switch that is on; double precision (float instead); the grid (half the cells each way,
 /// the same cloth).
-std::vector<Part> parts_of(const Scene& scene);
+std::vector<ScenePart> parts_of(const Scene& scene);
 
 }  // namespace drapeau::lab

@@ -8,7 +8,7 @@ namespace drapeau::lab {
 
 /// A part that may be dropped next, and the effect of all that is left out with it.
 struct PriceStudy::Candidate {
-    Part part;
+    ScenePart part;
     Effect effect;
     std::optional<double> alone;
 };
@@ -16,18 +16,18 @@ struct PriceStudy::Candidate {
 namespace {
 
 /// The grid may be halved again: that is another part.
-bool is_same(const Part& a, const Part& b) {
+bool is_same(const ScenePart& a, const ScenePart& b) {
     return a.key == b.key && (a.key != "flag" || a.label == b.label);
 }
 
-const Priced* priced(const Prices& prices, const Part& part) {
+const Priced* priced(const Prices& prices, const ScenePart& part) {
     const auto found =
         std::find_if(prices.parts.begin(), prices.parts.end(), [&](const Priced& p) { return is_same(p.part, part); });
     return found != prices.parts.end() ? &*found : nullptr;
 }
 
-bool is_among(const std::vector<Part>& parts, const Part& part) {
-    return std::any_of(parts.begin(), parts.end(), [&](const Part& p) { return is_same(p, part); });
+bool is_among(const std::vector<ScenePart>& parts, const ScenePart& part) {
+    return std::any_of(parts.begin(), parts.end(), [&](const ScenePart& p) { return is_same(p, part); });
 }
 
 /// Where nothing was dropped: the part that saves time and changes the motion least.
@@ -46,9 +46,9 @@ std::optional<Dropped> nearest_of(const Prices& prices) {
 /// What may be left out of the scene next, the least effect first. What alone is beyond the tolerance is not tried with
 /// others.
 std::vector<PriceStudy::Candidate> PriceStudy::candidates(const Scene& scene, const Prices& prices,
-                                                          const std::vector<Part>& useless) {
+                                                          const std::vector<ScenePart>& useless) {
     std::vector<Candidate> found;
-    for (const Part& part : parts_of(scene)) {
+    for (const ScenePart& part : parts_of(scene)) {
         if (!part.impossible.empty() || is_among(useless, part)) continue;
         Candidate candidate{part, {}, {}};
         if (const Priced* alone = priced(prices, part)) {
@@ -66,7 +66,7 @@ std::vector<PriceStudy::Candidate> PriceStudy::candidates(const Scene& scene, co
 }
 
 /// Drops the candidate of least effect that saves time; false if there is none.
-bool PriceStudy::drop_one(Reduction& reduction, const Prices& prices, std::vector<Part>& useless) {
+bool PriceStudy::drop_one(Reduction& reduction, const Prices& prices, std::vector<ScenePart>& useless) {
     for (const Candidate& candidate : candidates(reduction.scene, prices, useless)) {
         std::vector<Scene> scenes{request_.scene, candidate.part.without};
         if (!reduction.dropped.empty()) scenes.push_back(reduction.scene);
@@ -107,7 +107,7 @@ void PriceStudy::confirm(Reduction& reduction) {
 Reduction PriceStudy::reduce(const Prices& prices) {
     Reduction reduction;
     reduction.scene = request_.scene;
-    std::vector<Part> useless;  // within the tolerance, but saves nothing that can be measured
+    std::vector<ScenePart> useless;  // within the tolerance, but saves nothing that can be measured
     const auto within = std::count_if(prices.parts.begin(), prices.parts.end(),
                                       [&](const Priced& p) { return p.effect.is_within(*request_.tolerance); });
     for (bool goes_on = within > 0; goes_on;) {

@@ -145,7 +145,7 @@ Prices PriceStudy::measure() {
     const double dt = step_of(request_.scene, *ground_);
     std::vector<Scene> scenes{request_.scene, at_step(request_.scene, dt)};
     std::vector<std::size_t> places;  // in the scenes: without the part at the scene's step; its own step follows
-    for (const Part& part : parts_) {
+    for (const ScenePart& part : parts_) {
         Priced& priced = prices.parts.emplace_back();
         priced.part = part;
         priced.remark = part.impossible;

@@ -25,7 +25,7 @@ struct PriceRequest {
 
 /// What a part costs and matters. Costs are shares of the scene's time, NAN where they could not be measured.
 struct Priced {
-    Part part;
+    ScenePart part;
     Effect effect;
     double cost_same_step = NAN;  // at the scene's own step
     double cost = NAN;            // with the step that is taken without it
@@ -42,7 +42,7 @@ struct Prices {
 
 /// One more part left out.
 struct Dropped {
-    Part part;
+    ScenePart part;
     Effect effect;                // of all that is left out up to it
     double saving = 0.0;          // share of the scene's time, of all that is left out up to it
     double bought = 0.0;          // share of it, of this one
@@ -72,7 +72,7 @@ public:
     /// does not suffice.
     PriceStudy(const PriceRequest& request, Tick tick);
 
-    const std::vector<Part>& parts() const { return parts_; }
+    const std::vector<ScenePart>& parts() const { return parts_; }
     double estimate() const { return estimate_; }  // s of time, at most the budget
 
     /// Lets the scene swing in and flies its reference. Returns why it diverged, if it did.
@@ -104,13 +104,13 @@ private:
     Ground after(const Ground& ground) const;
     Effect effect(const Scene& scene, const Ground& ground);
     Costs costs(const std::vector<Scene>& scenes, const Ground& ground, double share) const;
-    std::vector<Candidate> candidates(const Scene& scene, const Prices& prices, const std::vector<Part>& useless);
-    bool drop_one(Reduction& reduction, const Prices& prices, std::vector<Part>& useless);
+    std::vector<Candidate> candidates(const Scene& scene, const Prices& prices, const std::vector<ScenePart>& useless);
+    bool drop_one(Reduction& reduction, const Prices& prices, std::vector<ScenePart>& useless);
     void confirm(Reduction& reduction);
 
     PriceRequest request_;
     Tick tick_;
-    std::vector<Part> parts_;
+    std::vector<ScenePart> parts_;
     Model model_;
     double a_second_ = 0.0;           // s on the wall, of a simulated second at rk4's limit
     double search_seconds_ = 0.0;     // that a reference may take

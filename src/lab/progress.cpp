@@ -9,6 +9,12 @@
 
 namespace drapeau::lab {
 
+std::string duration(double seconds) {
+    constexpr double few_minutes = 100.0, few_hours = 6000.0;
+    if (seconds < few_minutes) return rounded(seconds, 2) + " s";
+    return seconds < few_hours ? rounded(seconds / 60.0, 2) + " min" : rounded(seconds / 3600.0, 2) + " h";
+}
+
 Progress::Progress() : on_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
@@ -17,17 +23,22 @@ Progress::~Progress() {
 
 void Progress::show(double share) {
     const auto now = Clock::now();
-    if (!on_terminal_ || now - last_ < std::chrono::milliseconds(100)) return;
+    const auto pause = on_terminal_ ? std::chrono::milliseconds(100) : std::chrono::milliseconds(30000);
+    if (now - last_ < pause) return;
     last_ = now;
-    drawn_ = true;
 
-    constexpr int width = 40;
-    const int done = static_cast<int>(share * width);
     const double passed = std::chrono::duration<double>(now - start_).count();
-    std::string bar = "\r[" + std::string(done, '#') + std::string(width - done, '.') + "] ";
-    bar += std::to_string(static_cast<int>(share * 100.0)) + " %";
-    if (share > 0.0) bar += ", " + rounded(passed * (1.0 - share) / share, 2) + " s left";
-    std::fputs((bar + "\033[K").c_str(), stderr);
+    std::string text = std::to_string(static_cast<int>(share * 100.0)) + " %";
+    if (share > 0.0) text += ", " + duration(passed * (1.0 - share) / share) + " left";
+    if (on_terminal_) {
+        constexpr int width = 40;
+        const int done = static_cast<int>(share * width);
+        drawn_ = true;
+        text = "\r[" + std::string(done, '#') + std::string(width - done, '.') + "] " + text + "\033[K";
+    } else {
+        text = "drapeau-lab: " + text + "\n";
+    }
+    std::fputs(text.c_str(), stderr);
     std::fflush(stderr);
 }
 

@@ -1,9 +1,13 @@
-// A progress bar on a terminal; nothing in a pipe or a file.
+// How far a command is and how long it still takes: a bar on a terminal; in a pipe or a file a plain line now and then.
 #pragma once
 
 #include <chrono>
+#include <string>
 
 namespace drapeau::lab {
+
+/// "40 s", "12 min" or "5 h".
+std::string duration(double seconds);
 
 class Progress {
 public:
@@ -12,7 +16,7 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// `share` of the work is done, from 0 to 1. Draws at most ten times a second.
+    /// `share` of the work is done, from 0 to 1. Draws at most ten times a second; says a line every half minute.
     void show(double share);
 
 private:

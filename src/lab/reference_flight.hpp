@@ -51,6 +51,7 @@ struct ReferenceLimits {
     double goal = 0.0;             // m: no better is asked for
     double seconds = 0.0;          // of time on the wall, about
     std::function<void()> tick{};  // called now and then
+    double unit = 0.0;             // s that a unit of step_cost counts for, instead of time on the wall; 0: that counts
 };
 
 /// Throws InputError if rk4 does not hold at any step that there is time for.

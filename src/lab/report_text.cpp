@@ -22,10 +22,6 @@ std::string with_error(double value, double error, const std::string& unit, doub
     return rounded(scale * value, 3) + " ± " + doubt + " " + unit;
 }
 
-std::string duration(double seconds) {
-    return seconds < 100.0 ? rounded(seconds, 2) + " s" : rounded(seconds / 60.0, 2) + " min";
-}
-
 std::string growth_text(const Growth& growth, double distance) {
     if (!growth.is_seen())
         return fmt::format("chaos: none seen: what was 1 nm apart is {} apart at the end\n", metres(growth.last));

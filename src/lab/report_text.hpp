@@ -14,8 +14,6 @@ namespace drapeau::lab {
 std::string metres(double value);
 /// "12.3 ± 0.4 Hz", of a value and its error times `scale`.
 std::string with_error(double value, double error, const std::string& unit, double scale = 1.0);
-/// "40 s" or "12 min".
-std::string duration(double seconds);
 
 /// How fast neighbouring motions part, and when they are `distance` (m) apart: a line.
 std::string growth_text(const Growth& growth, double distance);

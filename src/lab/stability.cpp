@@ -1,17 +1,19 @@
 #include "stability.hpp"
 
+#include "gnuplot.hpp"
 #include "io/error.hpp"
 #include "io/terminal.hpp"
 #include "io/text.hpp"
 #include "io/text_file.hpp"
-#include "lists.hpp"
+#include "merge.hpp"
 #include "outputs.hpp"
+#include "program.hpp"
 #include "progress.hpp"
 #include "run/engine.hpp"
 #include "exit_status.hpp"
 #include "scene/file.hpp"
-#include "scene/settings.hpp"
-#include "stability_limit.hpp"
+#include "stability_plot.hpp"
+#include "stability_records.hpp"
 #include "text_table.hpp"
 
 #include <fmt/format.h>
@@ -23,44 +25,6 @@
 namespace drapeau::lab {
 
 namespace {
-
-/// A cloth to measure every method on.
-struct Case {
-    Scene scene;
-    bool is_of_damping = false;  // one of those that differ in damping
-};
-
-std::vector<double> values_in(const std::string& option, const std::string& list, const settings::Range& range,
-                              const char* unit) {
-    std::vector<double> values;
-    for (const std::string& item : items_of(list)) values.push_back(number_option(option, item, range, unit));
-    return values;
-}
-
-Scene with_springs(const Scene& scene, double stiffness, std::optional<double> damping) {
-    Scene other = scene;
-    other.springs.stiffness = stiffness;
-    if (other.springs.diagonal_stiffness) *other.springs.diagonal_stiffness *= stiffness / scene.springs.stiffness;
-    other.springs.damping = damping;
-    check_scene(other);
-    return other;
-}
-
-/// Stiffness at the scene's damping, then damping at its stiffness: what was asked for, or from a hundredth to a
-/// hundredfold, and from none to a tenth of sqrt(k m).
-std::vector<Case> cases_of(const Scene& scene, const StabilityOptions& options) {
-    const double k = scene.springs.stiffness, critical = std::sqrt(k * scene.springs.mass);
-    auto stiffness = values_in("--stiffness", options.stiffness, settings::stiffness_range, "N/m");
-    auto damping = values_in("--damping", options.damping, settings::damping_range, "N s/m");
-    if (stiffness.empty())
-        for (const double factor : {0.01, 0.1, 1.0, 10.0, 100.0})
-            if (settings::stiffness_range.contains(factor * k)) stiffness.push_back(factor * k);
-    if (damping.empty()) damping = {0.0, 0.01 * critical, 0.1 * critical};
-    std::vector<Case> cases;
-    for (const double value : stiffness) cases.push_back({with_springs(scene, value, scene.springs.damping), false});
-    for (const double value : damping) cases.push_back({with_springs(scene, k, value), true});
-    return cases;
-}
 
 std::string measured_text(const StabilityLimit& limit) {
     if (std::isnan(limit.measured)) return "not measured";
@@ -85,13 +49,14 @@ std::string growth_text(const StabilityLimit& limit, double share) {
     return "-";
 }
 
-std::string table_of(const std::vector<StabilityLimit>& limits, const std::vector<bool>& is_of_damping) {
+std::string table_of(const StabilityMap& map) {
+    const std::vector<StabilityLimit>& limits = map.limits;
     std::string text;
     for (const bool damping : {false, true}) {
         std::vector<Row> rows{{"method", "stiffness", "damping", "measured", "theory", "off", "0.5 x", "0.9 x",
                                "0.99 x", "1.01 x", "1.1 x", "2 x"}};
         for (std::size_t n = 0; n < limits.size(); ++n) {
-            if (is_of_damping[n] != damping) continue;
+            if (map.points[n].is_of_damping != damping) continue;
             const StabilityLimit& limit = limits[n];
             rows.push_back({std::string(name_of(limit.method)), quantity(limit.stiffness, "N/m"),
                             quantity(limit.damping, "N·s/m"), measured_text(limit), theory_text(limit.theory),
@@ -129,23 +94,77 @@ nlohmann::ordered_json as_json(const std::string& name, const std::vector<Stabil
 }
 
 /// Says beforehand what takes long, and refuses what nobody waits for.
-void check_duration(const std::vector<Case>& cases, const std::vector<Method>& methods) {
+void check_duration(const std::vector<StabilityPoint>& points) {
     constexpr double worth_a_word = 20.0, longest = 24.0 * 3600.0;  // s
     constexpr double unit = 4e-9;                                   // s, of step_cost in double
     constexpr double steps_a_limit = 25.0 * 2000.0;                 // runs of noise, and steps in each, about
     double seconds = 0.0;
-    for (const Case& one : cases) {
-        const Model model = model_of(one.scene);
-        for (const Method method : methods) seconds += steps_a_limit * unit * step_cost(model, method);
-    }
-    const std::string about =
-        "about " + (seconds < 6000.0 ? rounded(seconds / 60.0, 2) + " min" : rounded(seconds / 3600.0, 2) + " h");
+    for (const StabilityPoint& point : points)
+        seconds += steps_a_limit * unit * step_cost(model_of(point.scene), point.method);
     if (seconds > longest)
         throw InputError(
-            "stability of this grid takes " + about +
-            "; choose a smaller one, such as --set flag.columns=20 --set flag.rows=20, or fewer --methods");
-    if (seconds > worth_a_word)
-        complain("drapeau-lab", fmt::format("{} limits, {}", cases.size() * methods.size(), about));
+            "stability of this grid takes about " + duration(seconds) +
+            "; choose a smaller one, such as --set flag.columns=20 --set flag.rows=20, fewer --methods, or "
+            "one --shard of many");
+    if (seconds > worth_a_word) complain(program, fmt::format("{} limits, about {}", points.size(), duration(seconds)));
+}
+
+struct Outputs {
+    std::string json, plot;  // "" writes none
+
+    std::vector<NamedFile> files() const { return asked_for({{"--json", json}, {"--plot", plot}}); }
+};
+
+int report(const StabilityMap& map, const Outputs& outputs) {
+    const std::string text =
+        map.scene.name +
+        ": the largest step at which noise on the cloth at rest does not grow; then its growth in a step "
+        "at shares of that\n" +
+        table_of(map);
+    std::fputs(text.c_str(), place_of_table(outputs.files()));
+    if (!outputs.json.empty())
+        write_text_file(outputs.json,
+                        [&](const Append& append) { append(as_json(map.scene.name, map.limits).dump(2) + "\n"); });
+    if (!outputs.plot.empty()) plot(outputs.plot, stability_script(map));
+    return exit_good;
+}
+
+/// Those of the points that a shard takes, and of these the ones that the file lacks.
+std::vector<StabilityPoint> missing_in(const PartFile* file, const std::vector<StabilityPoint>& points,
+                                       const Shard& shard) {
+    std::vector<StabilityPoint> missing;
+    for (std::size_t n = 0; n < points.size(); ++n)
+        if (shard.has(n) && !(file && file->has(points[n].key))) missing.push_back(points[n]);
+    return missing;
+}
+
+/// Measures the points one after the other; `take` is given each.
+template <class Take>
+void measure(const std::vector<StabilityPoint>& points, const Take& take) {
+    Progress progress;
+    double done = 0.0;
+    for (const StabilityPoint& point : points) {
+        take(point, stability_limit(point.scene, point.method));
+        progress.show(++done / static_cast<double>(points.size()));
+    }
+}
+
+void check_scene_moves(const Scene& scene) {
+    if (scene.flag.attach == Attach::all)
+        throw InputError("flag.attach: every mass is held, so there is nothing to measure");
+}
+
+int in_parts(StabilityMap& map, const StabilityOptions& options, const Outputs& outputs, const Shard& shard) {
+    PartFile file(options.part, identity_of(map.scene, options), shard);
+    const std::vector<StabilityPoint> missing = missing_in(&file, map.points, shard);
+    complain(program, fmt::format("shard {}: {} of {} limits are to be measured", shard.text(), missing.size(),
+                                  missing_in(nullptr, map.points, shard).size()));
+    measure(missing, [&](const StabilityPoint& point, const StabilityLimit& limit) {
+        file.add(point.key, nullptr, result_json(limit));
+    });
+    if (!shard.is_whole()) return say_shard_is_done(file.part());
+    map.limits = limits_in(file.part(), map.points);
+    return report(map, outputs);
 }
 
 }  // namespace
@@ -153,40 +172,33 @@ void check_duration(const std::vector<Case>& cases, const std::vector<Method>& m
 int stability(const StabilityOptions& options) {
     std::vector<Assignment> assignments;
     for (const std::string& text : options.set) assignments.push_back(assignment_in(text));
-    const auto file = find_scene(options.scene);
-    const Scene scene = quiet(read_scene(file, assignments));
-    auto methods = names_option<Method>("--methods", options.methods, settings::method_names);
-    if (methods.empty())
-        for (std::size_t n = 0; n < method_count; ++n) methods.push_back(static_cast<Method>(n));
-    const std::vector<Case> cases = cases_of(scene, options);
-    const std::vector<NamedFile> outputs = asked_for({{"--json", options.json}});
-    check_outputs({{"the scene", file.string()}}, outputs);
-    if (scene.flag.attach == Attach::all)
-        throw InputError("flag.attach: every mass is held, so there is nothing to measure");
+    const auto scene_file = find_scene(options.scene);
+    StabilityMap map;
+    map.scene = quiet(read_scene(scene_file, assignments));
+    map.points = points_of(map.scene, options);
+    const Outputs outputs{options.json, options.plot};
+    const Shard shard = shard_of(options.part, outputs.files());
+    check_outputs({{"the scene", scene_file.string()}}, with_part(outputs.files(), options.part));
+    check_plot("--plot", options.plot);
+    check_scene_moves(map.scene);
+    check_duration(missing_in(nullptr, map.points, shard));
+    if (!options.part.file.empty()) return in_parts(map, options, outputs, shard);
+    measure(map.points, [&](const StabilityPoint&, const StabilityLimit& limit) { map.limits.push_back(limit); });
+    return report(map, outputs);
+}
 
-    check_duration(cases, methods);
-    std::vector<StabilityLimit> limits;
-    std::vector<bool> is_of_damping;
-    {
-        Progress progress;
-        const auto count = static_cast<double>(methods.size() * cases.size());
-        for (const Method method : methods)
-            for (const Case& one : cases) {
-                limits.push_back(stability_limit(one.scene, method));
-                is_of_damping.push_back(one.is_of_damping);
-                progress.show(static_cast<double>(limits.size()) / count);
-            }
+int merge_stability(const Joined& joined, const MergeOptions& merging) {
+    if (!merging.write.empty()) throw InputError("--write: a stability map has no setting to save");
+    StabilityMap map;
+    map.scene = parse_scene(joined.all.sweep.scene, joined.all.file + ", its scene");
+    map.points = points_of(map.scene, options_of_stability(joined.all.sweep));
+    check_scene_moves(map.scene);
+    if (const auto missing = joined.missing(keys_of(map.points))) {
+        complain(program, *missing);
+        return exit_not_met;
     }
-    const std::string text =
-        scene.name +
-        ": the largest step at which noise on the cloth at rest does not grow; then its growth in a step "
-        "at shares of that\n" +
-        table_of(limits, is_of_damping);
-    std::fputs(text.c_str(), place_of_table(outputs));
-    if (!options.json.empty())
-        write_text_file(options.json,
-                        [&](const Append& append) { append(as_json(scene.name, limits).dump(2) + "\n"); });
-    return exit_good;
+    map.limits = limits_in(joined.all, map.points);
+    return report(map, {merging.json, merging.plot});
 }
 
 }  // namespace drapeau::lab

@@ -1,6 +1,8 @@
 // drapeau-lab stability: the largest stable step of every method over stiffness and damping, measured and in theory.
 #pragma once
 
+#include "part_file.hpp"
+
 #include <string>
 #include <vector>
 
@@ -13,7 +15,9 @@ struct StabilityOptions {
     std::string methods;
     std::string stiffness;  // N/m
     std::string damping;    // N s/m
-    std::string json;       // a file to write; "" writes none
+    std::string json;       // files to write; "" writes none
+    std::string plot;
+    PartOptions part;
 };
 
 /// The exit status. Throws InputError for bad input, before anything is computed or written.

@@ -37,6 +37,8 @@ Job add_stability(CLI::App& command) {
         ->type_name("C,...");
     add_assignments(command, options.set);
     take_as_path(command.add_option("--json", options.json, "Write the results as one JSON object")->type_name("FILE"));
+    add_plot_option(command, options.plot, "Draw limits over stiffness and damping");
+    add_part_options(command, options.part);
     return [given] { return stability(*given); };
 }
 

@@ -2,6 +2,8 @@
 // and the cheapest that is good enough.
 #pragma once
 
+#include "part_file.hpp"
+
 #include <string>
 #include <vector>
 
@@ -23,6 +25,8 @@ struct TradeOptions {
     std::string tolerance;     // "1mm"; "" names no setting
     std::string write;         // files to write; "" writes none
     std::string json;
+    std::string plot;
+    PartOptions part;
 };
 
 /// The exit status: good, not met or diverged. Throws InputError for bad input, before anything is computed or written.

@@ -16,6 +16,9 @@ constexpr const char* trade_notes =
     "as the\n"
     "programs run it, its energy ledger included: the least of several repeats. Past the time in which a nanometre\n"
     "becomes a millimetre, or --tolerance, the statistics of the fly end's middle are compared instead.\n\n"
+    "With --part each setting is kept as soon as it is measured, and --budget is work of the whole sweep at 4 ns for a "
+    "step of\n"
+    "one mass, not time: what is measured is then the same on every machine. docs/trade.md says how to spread it.\n\n"
     "--tolerance is a distance at the end of the time compared (and the rms over it). It is not time.tolerance of "
     "scenes,\n"
     "which is in m per simulated second.\n\n"
@@ -50,6 +53,8 @@ Job add_trade(CLI::App& command) {
     take_as_path(command.add_option("--write", options.write, "Save the scene with that setting, if its check holds")
                      ->type_name("FILE.toml"));
     take_as_path(command.add_option("--json", options.json, "Write the results as one JSON object")->type_name("FILE"));
+    add_plot_option(command, options.plot, "Draw cost over error");
+    add_part_options(command, options.part);
     return [given] { return trade(*given); };
 }
 

@@ -37,7 +37,7 @@ double step_in(const std::string& text) {
 
 }  // namespace
 
-TradeRequest request_in(const TradeOptions& options) {
+TradeRequest request_in(const TradeOptions& options, const Scene& scene) {
     TradeRequest request;
     request.batches_are_given = !options.seconds.empty();
     if (request.batches_are_given) request.batches = batches_option("--seconds", options.seconds, 1);
@@ -53,6 +53,12 @@ TradeRequest request_in(const TradeOptions& options) {
     for (const std::string& item : items_of(options.grids)) choice.grids.push_back(grid_in(item));
     for (const std::string& item : items_of(options.limits)) choice.limits.push_back(limit_in(item));
     choice.both_diagonals = options.both_diagonals;
+    request.scene = scene;
+    return request;
+}
+
+TradeRequest request_in(const TradeOptions& options) {
+    TradeRequest request = request_in(options, Scene{});
     request.scene = scene_in(options.scene, options.set);
     return request;
 }

@@ -8,5 +8,7 @@ namespace drapeau::lab {
 
 /// Throws InputError that names the option, its value and what is allowed.
 TradeRequest request_in(const TradeOptions& options);
+/// The same of a scene that is read already.
+TradeRequest request_in(const TradeOptions& options, const Scene& scene);
 
 }  // namespace drapeau::lab

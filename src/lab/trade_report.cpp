@@ -4,6 +4,7 @@
 #include "report_text.hpp"
 #include "scene/file.hpp"
 #include "text_table.hpp"
+#include "trade_records.hpp"
 
 #include "drapeau/stability.hpp"
 

@@ -22,6 +22,8 @@ namespace {
 constexpr double float_share = 0.6;      // of the time that double takes, about
 constexpr double for_references = 0.25;  // of the budget
 constexpr int least_flights = 8;         // of the coarsest reference, that any search takes
+constexpr double usual_search = 20.0;    // of the least
+constexpr double counted_unit = 4e-9;    // s that a unit of step_cost counts for where work is counted
 
 /// How often a point is timed after its error was measured. What takes long needs no more: it is long enough to be
 /// steady.
@@ -42,6 +44,7 @@ TradeSweep::TradeSweep(const TradeRequest& request)
     for (const Variant& variant : variants_) models_.push_back(model_of(variant.scene));
     check_that_it_moves(models_.front());
     unit_ = measured_unit(models_.front());
+    if (request_.counts_work) pace_ = unit_ / counted_unit, unit_ = counted_unit;
     if (const double least = least_seconds(); least > request_.budget)
         throw InputError(
             fmt::format("--budget: swinging in and the reference alone take about {} min, and {} min is allowed; allow "
@@ -73,24 +76,38 @@ double TradeSweep::least_seconds() const {
     return least;
 }
 
+std::vector<std::size_t> TradeSweep::cheapest_first() const {
+    std::vector<std::size_t> order(points_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return seconds_of(points_[a]) < seconds_of(points_[b]); });
+    return order;
+}
+
+double TradeSweep::seconds_of_points(const std::vector<std::size_t>& places) const {
+    double seconds = 0.0;
+    for (const std::size_t n : places)
+        if (!is_left_out_[n]) seconds += pace_ * with_rounds(seconds_of(points_[n]));
+    return seconds;
+}
+double TradeSweep::seconds_before() const {
+    const double least = least_seconds();
+    return pace_ * std::min(usual_search * least, std::max(for_references * request_.budget, least));
+}
+
 /// The references must fit into the budget, and then as many points as do, the cheapest first.
 void TradeSweep::list_affordable() {
     const double least = least_seconds(), most = std::max(for_references * request_.budget, least);
     // Two more to recommend a setting and to check it.
     const double searches = static_cast<double>(variants_.size()) + (request_.tolerance ? 2.0 : 0.0);
     reference_seconds_ = most / searches;
-    std::vector<std::size_t> order(points_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return seconds_of(points_[a]) < seconds_of(points_[b]); });
     is_left_out_.assign(points_.size(), 0);
     double spent = 0.0;
-    for (const std::size_t n : order) {
+    for (const std::size_t n : cheapest_first()) {
         const double seconds = with_rounds(seconds_of(points_[n]));
         is_left_out_[n] = spent + seconds > request_.budget - most;
         if (!is_left_out_[n]) spent += seconds;
     }
-    constexpr double usual_search = 20.0;  // of the least
     estimate_ = std::min(request_.budget, spent + std::min(usual_search * least, most));
 }
 
@@ -106,6 +123,8 @@ std::optional<std::string> TradeSweep::prepare(const Tick& tick) {
         grounds_.push_back(
             ground_of(variant, is_scene ? settled : carried_over(settled, variant.scene), time, 0.0, tick));
     }
+    const Flight& flight = grounds_.front().reference.by_rk4;
+    reference_tip_ = statistics_of(flight.tip, flight.tip_velocity, batch_seconds);
     return {};
 }
 
@@ -113,7 +132,8 @@ void TradeSweep::find_horizon(const State<double>& start, double time, const Tic
     const Model& model = models_.front();
     Yardstick yardstick(model);
     growth_ = find_growth(model, stretch_of(model, start, time), yardstick,
-                          {0.0, reference_seconds_, [&] { tick(std::min(0.99, elapsed() / estimate_)); }});
+                          {0.0, reference_seconds_, [&] { tick(std::min(0.99, elapsed() / estimate_)); },
+                           request_.counts_work ? counted_unit : 0.0});
     if (request_.batches_are_given || !growth_.is_seen()) return;
     const long long batches = trusted_batches(horizon());
     if (batches >= request_.batches) return;
@@ -133,7 +153,8 @@ Ground TradeSweep::ground_of(const Variant& variant, const State<double>& start,
     const double goal = is_beyond_horizon() ? INFINITY : std::max(finest_goal(model), enough);
     Ground ground{variant, model, stretch_of(model, start, time), {}, std::make_unique<Yardstick>(model)};
     ground.reference = find_reference(ground.model, ground.stretch, *ground.yardstick,
-                                      {goal, reference_seconds_, [&] { tick(std::min(0.99, elapsed() / estimate_)); }});
+                                      {goal, reference_seconds_, [&] { tick(std::min(0.99, elapsed() / estimate_)); },
+                                       request_.counts_work ? counted_unit : 0.0});
     return ground;
 }
 
@@ -143,19 +164,10 @@ double TradeSweep::horizon() const {
 bool TradeSweep::is_beyond_horizon() const {
     return horizon() < static_cast<double>(request_.batches) * batch_seconds;
 }
-TipStatistics TradeSweep::reference_tip() const {
-    const Flight& flight = grounds_.front().reference.by_rk4;
-    return statistics_of(flight.tip, flight.tip_velocity, batch_seconds);
-}
-
 std::vector<Measured> TradeSweep::measure(const Tick& tick) {
     std::vector<Measured> all;
     for (const TradePoint& point : points_) all.emplace_back().point = point;
-    std::vector<std::size_t> order(points_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return seconds_of(points_[a]) < seconds_of(points_[b]); });
-
+    const std::vector<std::size_t> order = cheapest_first();
     const double check = request_.tolerance ? 2.0 * reference_seconds_ : 0.0;
     const double end = request_.budget - check;
     const double begun = elapsed();
@@ -167,7 +179,7 @@ std::vector<Measured> TradeSweep::measure(const Tick& tick) {
         Measured& measured = all[n];
         const double seconds = with_rounds(seconds_of(measured.point));
         if (is_left_out_[n] || elapsed() + seconds > end) {
-            measured.remark = fmt::format("it takes about {}, more than --budget leaves", quantity(seconds, "s", 2));
+            measured.remark = left_out(n);
             continue;
         }
         measured = measure_errors(measured.point, grounds_[measured.point.variant], grounds_.front(), [&] {
@@ -179,13 +191,34 @@ std::vector<Measured> TradeSweep::measure(const Tick& tick) {
     for (int round = 0; round < rounds_for(0.0); ++round)
         for (const std::size_t n : order) {
             Measured& measured = all[n];
-            const bool wanted = measured.is_measured() && round < rounds_for(measured.first_cost);
-            if (!wanted || elapsed() + measured.first_cost > end) continue;
-            measured.ms_per_second =
-                std::min(measured.ms_per_second, measure_cost(measured, grounds_[measured.point.variant]));
+            if (round >= rounds_of(measured) || elapsed() + measured.first_cost > end) continue;
+            measured.ms_per_second = std::min(measured.ms_per_second, time_again(measured));
             tell();
         }
     return all;
+}
+
+std::string TradeSweep::left_out(std::size_t n) const {
+    return fmt::format("it takes about {}, more than --budget leaves",
+                       quantity(with_rounds(seconds_of(points_[n])), "s", 2));
+}
+
+Measured TradeSweep::measure_one(std::size_t n, const Tick& tick) const {
+    Measured measured;
+    measured.point = points_[n];
+    measured.remark = left_out(n);
+    if (is_left_out_[n]) return measured;
+    return measure_errors(points_[n], grounds_[points_[n].variant], grounds_.front(), [&] {
+        tick(0.0);
+        return true;
+    });
+}
+
+int TradeSweep::rounds_of(const Measured& measured) {
+    return measured.is_measured() ? rounds_for(measured.first_cost) : 0;
+}
+double TradeSweep::time_again(const Measured& measured) const {
+    return measure_cost(measured, grounds_[measured.point.variant]);
 }
 
 /// The scene's ground from where it ends.

@@ -21,10 +21,27 @@ struct TradeRequest {
     bool batches_are_given = false;
     double budget = 120.0;            // s of time on the wall
     std::optional<double> tolerance;  // m
+    // The budget is of work, counted at a fixed rate instead of timed: what is measured is the same wherever and
+    // however often it is done.
+    bool counts_work = false;
 };
 
 /// Is told the share of the work that is done.
 using Tick = std::function<void(double)>;
+
+/// All that points are judged by, without the flights themselves: what a report says of it.
+struct TradeBasis {
+    struct Reference {
+        long long rk4_steps = 0, leapfrog_steps = 0;
+        double rk4_error = 0.0, leapfrog_error = 0.0, methods_apart = 0.0;  // m
+    };
+    double time = 0.0;      // s, where what is compared begins
+    long long batches = 0;  // of 1/60 s, compared
+    bool is_shortened = false;
+    Growth growth;
+    TipStatistics tip;
+    std::vector<Reference> references;  // one a variant
+};
 
 struct Recommendation {
     std::optional<std::size_t> place;  // in the points; nothing if none meets the tolerance twice
@@ -43,18 +60,33 @@ public:
     std::size_t count() const { return points_.size(); }
     double estimate() const { return estimate_; }  // s of time, at most the budget
 
+    /// The points from the cheapest on, as they are measured and dealt to shards; those that --budget leaves out too.
+    std::vector<std::size_t> cheapest_first() const;
+    const TradePoint& point(std::size_t n) const { return points_[n]; }
+    /// s that measuring so many of them takes about; of all with those that come before.
+    double seconds_of_points(const std::vector<std::size_t>& places) const;
+    double seconds_before() const;
+
     /// Lets the scene swing in and flies the references. Returns why it diverged, if it did.
     std::optional<std::string> prepare(const Tick& tick);
+    /// What that found; and the same taken from elsewhere, for a report.
+    TradeBasis basis() const;
+    void restore(const TradeBasis& basis);
     const std::vector<Ground>& grounds() const { return grounds_; }
     const Growth& growth() const { return growth_; }
     bool is_shortened() const { return is_shortened_; }  // the time compared, for the motion is chaotic
     /// The time (s) after which neighbouring motions are the tolerance apart, or a millimetre.
     double horizon() const;
     bool is_beyond_horizon() const;
-    TipStatistics reference_tip() const;
+    const TipStatistics& reference_tip() const { return reference_tip_; }
 
     /// Every point: its errors, the cheapest ones first; then rounds of all for what they cost.
     std::vector<Measured> measure(const Tick& tick);
+    /// One of them, whatever time it takes.
+    Measured measure_one(std::size_t n, const Tick& tick) const;
+    /// How often a point is timed after its error was measured, and once more: ms of processor time a simulated second.
+    static int rounds_of(const Measured& measured);
+    double time_again(const Measured& measured) const;
 
     /// The cheapest point that meets the tolerance here and in the stretch that follows, checked in the one after that:
     /// what is right once may be luck. Each stretch has a reference of its own.
@@ -73,18 +105,21 @@ private:
     void find_horizon(const State<double>& start, double time, const Tick& tick);
     double least_seconds() const;
     void list_affordable();
+    std::string left_out(std::size_t n) const;
 
     TradeRequest request_;
     std::vector<Variant> variants_;
     std::vector<Model> models_;
     std::vector<TradePoint> points_;
     std::vector<char> is_left_out_;   // of the points: too expensive
-    double unit_ = 0.0;               // s, what one unit of step_cost takes in double
+    double unit_ = 0.0;               // s, what one unit of step_cost takes in double, or counts for
+    double pace_ = 1.0;               // s here for a s as work is counted
     double reference_seconds_ = 0.0;  // for each variant
     double estimate_ = 0.0;
     double began_ = 0.0;
     std::vector<Ground> grounds_;
     Growth growth_;
+    TipStatistics reference_tip_;
     bool is_shortened_ = false;
 };
 

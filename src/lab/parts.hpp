@@ -1,0 +1,92 @@
+// Parts: what a sweep has measured, kept in files, so that one that was cut off goes on and several machines share one.
+//
+// A part file is text, one JSON object a line. The first says which sweep it belongs to and which share of its points
+// is measured there; each line after that is a record:
+//   {"basis": {...}}                              what all points are judged by
+//   {"point": KEY, "cost": {...}, "result": {...}}  a point that is done; costs are times and may differ
+//   {"point": KEY, "cost": {...}}                 the point timed once more
+// A line without its end was cut off while it was written, and does not count.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace drapeau::lab {
+
+using Json = nlohmann::ordered_json;
+
+/// Every count-th point, from the place-th on.
+struct Shard {
+    std::size_t place = 1, count = 1;
+
+    bool has(std::size_t point) const { return point % count == place - 1; }
+    bool is_whole() const { return count == 1; }
+    std::string text() const { return std::to_string(place) + "/" + std::to_string(count); }
+    bool operator==(const Shard&) const = default;
+};
+
+/// "2/8"; "" is the whole. Throws InputError.
+Shard shard_in(const std::string& option, const std::string& text);
+
+/// What the parts of one sweep have in common: all that its results follow from.
+struct SweepIdentity {
+    std::string command;
+    std::string version;  // of the program
+    std::string scene;    // as write_scene writes it
+    Json options;         // what other options say, by their names: texts, or true and false
+};
+
+/// The first thing in which two differ, as a person would say it: "--settle is 1 there and 2 here". Nothing if they are
+/// of one sweep.
+std::optional<std::string> difference(const SweepIdentity& there, const SweepIdentity& here);
+
+struct PointRecord {
+    Json result;
+    std::vector<Json> costs;
+    std::string file{};  // where it is from
+    std::size_t line = 0;
+};
+
+struct Part {
+    std::string file;
+    SweepIdentity sweep;
+    Shard shard;
+    Json machine;                               // what measured it
+    Json basis;                                 // null until it is known
+    std::map<std::string, PointRecord> points;  // by their keys
+    std::size_t whole_bytes = 0;                // of the lines that count
+};
+
+/// Calls read(point). Throws InputError that names file and line where that throws, as records of the wrong form do.
+void use_point(const Part& part, const std::string& key, const std::function<void(const PointRecord&)>& read);
+/// The same of what points are judged by.
+void use_basis(const Part& part, const std::function<void(const Json&)>& read);
+
+/// Throws InputError that names file, line and fault.
+Part read_part(const std::string& file);
+
+/// The first line of a part and records, each with its end.
+std::string header_line(const SweepIdentity& sweep, const Shard& shard);
+std::string basis_line(const Json& basis);
+std::string point_line(const std::string& key, const Json& cost, const Json& result = nullptr);
+
+/// Parts of one sweep.
+struct Joined {
+    std::vector<Part> parts;
+    Part all;            // of all of them: points with the costs of each
+    std::string remark;  // what whoever compares costs should know; "" is nothing
+
+    /// The points, of these keys in the order in which shards take them, that no part has: which, and how to make them.
+    /// Nothing if none is missing.
+    std::optional<std::string> missing(const std::vector<std::string>& keys) const;
+};
+
+/// Throws InputError that names the parts that do not belong together, and why.
+Joined join(const std::vector<std::string>& files);
+
+}  // namespace drapeau::lab
