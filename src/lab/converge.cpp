@@ -2,8 +2,10 @@
 
 #include "commands.hpp"
 #include "converge_conclusion.hpp"
+#include "converge_plot.hpp"
 #include "converge_report.hpp"
 #include "exit_status.hpp"
+#include "gnuplot.hpp"
 #include "io/error.hpp"
 #include "io/terminal.hpp"
 #include "io/text.hpp"
@@ -100,8 +102,9 @@ ConvergeRequest request_in(const ConvergeOptions& options) {
 
 int converge(const ConvergeOptions& options) {
     const ConvergeRequest request = request_in(options);
-    const std::vector<NamedFile> outputs = asked_for({{"--json", options.json}});
+    const std::vector<NamedFile> outputs = asked_for({{"--json", options.json}, {"--plot", options.plot}});
     check_outputs({{"the scene", find_scene(options.scene).string()}}, outputs);
+    check_plot("--plot", options.plot);
     ConvergeSweep sweep(request);
     complain(program, fmt::format("{} methods and {} grids, about {}, at most {}", request.methods.size(),
                                   request.grids.size(), duration(sweep.estimate()), duration(request.budget)));
@@ -119,6 +122,7 @@ int converge(const ConvergeOptions& options) {
     std::fputs(text.c_str(), place_of_table(outputs));
     if (!options.json.empty())
         write_text_file(options.json, [&](const Append& append) { append(as_json(request, found).dump(2) + "\n"); });
+    if (!options.plot.empty()) plot(options.plot, converge_script(request, found));
     return exit_good;
 }
 

@@ -17,6 +17,7 @@ struct ConvergeOptions {
     std::string seconds;           // s; "" is 0.5, or less where the motion is chaotic
     std::string budget = "2";      // minutes
     std::string json;              // a file to write; "" writes none
+    std::string plot;              // a picture, .svg or .png; "" draws none
 };
 
 /// The exit status: good or diverged. Throws InputError for bad input, before anything is computed or written.

@@ -43,6 +43,7 @@ Job add_converge(CLI::App& command) {
     command.add_option("--budget", options.budget, "Time it may take, minutes (2)")->type_name("MINUTES");
     add_assignments(command, options.set);
     take_as_path(command.add_option("--json", options.json, "Write the results as one JSON object")->type_name("FILE"));
+    add_plot_option(command, options.plot, "Draw differences over step and cell");
     return [given] { return converge(*given); };
 }
 

@@ -9,6 +9,8 @@
 #include "outputs.hpp"
 #include "progress.hpp"
 #include "exit_status.hpp"
+#include "gnuplot.hpp"
+#include "price_plot.hpp"
 #include "price_report.hpp"
 #include "report_text.hpp"
 #include "scene/file.hpp"
@@ -25,7 +27,7 @@ namespace drapeau::lab {
 namespace {
 
 std::vector<NamedFile> outputs_of(const PriceOptions& options) {
-    return asked_for({{"--write", options.write}, {"--json", options.json}});
+    return asked_for({{"--write", options.write}, {"--json", options.json}, {"--plot", options.plot}});
 }
 
 PriceRequest request_in(const PriceOptions& options) {
@@ -47,6 +49,7 @@ int price(const PriceOptions& options) {
     const PriceRequest request = request_in(options);
     const std::filesystem::path file = find_scene(options.scene);
     check_outputs({{"the scene", file.string()}}, outputs_of(options));
+    check_plot("--plot", options.plot);
 
     std::optional<Progress> progress;
     PriceStudy study(request, [&](double share) {
@@ -80,6 +83,7 @@ int price(const PriceOptions& options) {
     if (!options.json.empty())
         write_text_file(options.json,
                         [&](const Append& append) { append(as_json(study, prices, reduction).dump(2) + "\n"); });
+    if (!options.plot.empty()) plot(options.plot, price_script(study, prices));
     if (!reduction) return exit_good;
     if (!holds(study, *reduction)) return exit_not_met;
     if (!options.write.empty())

@@ -16,6 +16,7 @@ struct PriceOptions {
     std::string tolerance;         // "1mm"; "" leaves nothing out
     std::string write;             // files to write; "" writes none
     std::string json;
+    std::string plot;  // a picture, .svg or .png; "" draws none
 };
 
 /// The exit status: good, not met or diverged. Throws InputError for bad input, before anything is computed or written.

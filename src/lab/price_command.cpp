@@ -46,6 +46,7 @@ Job add_price(CLI::App& command) {
     take_as_path(command.add_option("--write", options.write, "Save the scene that is left, if its check holds")
                      ->type_name("FILE.toml"));
     take_as_path(command.add_option("--json", options.json, "Write the results as one JSON object")->type_name("FILE"));
+    add_plot_option(command, options.plot, "Draw what parts cost and change");
     return [given] { return price(*given); };
 }
 
