@@ -20,6 +20,7 @@ Job add_price(CLI::App& command);
 Job add_stability(CLI::App& command);
 Job add_converge(CLI::App& command);
 Job add_merge(CLI::App& command);
+Job add_report(CLI::App& command);
 
 /// What every command asks for.
 inline void add_scene(CLI::App& command, std::string& scene) {

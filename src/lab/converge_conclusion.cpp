@@ -77,7 +77,9 @@ std::string on_grids(const GridConvergence& grids) {
             return "These grids do not converge yet, and neither compression nor chaos is the cause: they are too "
                    "coarse for what moves. Measure finer ones (--levels, --budget).";
         case Verdict::unknown:
-            return "No order of grids: it takes three, and --budget suffices for fewer.";
+            return grids.left_out.empty()
+                       ? "No order of grids: it takes three, and finer ones of this cloth are impossible."
+                       : "No order of grids: it takes three, and --budget suffices for fewer.";
     }
     return "";
 }

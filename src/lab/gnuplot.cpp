@@ -1,86 +1,40 @@
 #include "gnuplot.hpp"
 
+#include "child.hpp"
+
 #include "io/error.hpp"
 #include "io/given_path.hpp"
 #include "io/output_file.hpp"
 #include "io/text.hpp"
 
-#include <array>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <iterator>
-#include <vector>
-
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/mman.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <utility>
 
 namespace drapeau::lab {
 
 namespace {
 
-/// A file that is only in memory.
-class MemoryFile {
-public:
-    explicit MemoryFile(std::string_view text) : descriptor_(memfd_create("gnuplot", MFD_CLOEXEC)) {
-        while (descriptor_ >= 0 && !text.empty()) {
-            const ssize_t count = write(descriptor_, text.data(), text.size());
-            if (count < 0 && errno != EINTR) break;
-            if (count > 0) text.remove_prefix(static_cast<std::size_t>(count));
-        }
-        if (descriptor_ < 0 || !text.empty()) throw InputError("--plot: not enough memory for gnuplot's script");
-        lseek(descriptor_, 0, SEEK_SET);
-    }
-    ~MemoryFile() { close(descriptor_); }
-    MemoryFile(const MemoryFile&) = delete;
-    MemoryFile& operator=(const MemoryFile&) = delete;
-
-    int descriptor() const { return descriptor_; }
-    std::string text() const {
-        std::string all(2000, '\0');
-        const ssize_t count = pread(descriptor_, all.data(), all.size(), 0);
-        all.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
-        return all;
-    }
-
-private:
-    int descriptor_;
+/// Runs gnuplot on a script: what it draws, and what it complains of, "" if it ends well.
+struct Drawn {
+    std::string picture, complaint;
 };
 
-/// Runs gnuplot on a script; what it complains of, "" if it ends well.
-std::string complaint_of_gnuplot(const std::string& script) {
-    const MemoryFile input(script), complaints("");
-    std::vector<std::string> words{"gnuplot", "-d", "-"};  // without the user's own settings
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, input.descriptor(), STDIN_FILENO);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, complaints.descriptor(), STDERR_FILENO);
-    pid_t child = -1;
-    const int failure = posix_spawnp(&child, words.front().c_str(), &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (failure != 0)
-        throw InputError(std::string("--plot needs gnuplot, which could not be started: ") + std::strerror(failure) +
-                         " (Debian's package is gnuplot-nox)");
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+Drawn drawn_by_gnuplot(const std::string& script) {
+    Said gnuplot;
+    try {
+        gnuplot = run_child("--plot", {"gnuplot", "-d", "-"}, script);  // without the user's own settings
+    } catch (const InputError& missing) {
+        throw InputError(std::string(missing.what()) + " (Debian's package is gnuplot-nox)");
     }
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
+    if (gnuplot.status == 0) return {std::move(gnuplot.output), ""};
     std::string said;  // gnuplot shows the line and a caret before it says what is wrong
-    for (std::string left = complaints.text(); !left.empty();) {
+    for (std::string left = gnuplot.complaints; !left.empty();) {
         const auto end = left.find('\n');
         const std::string line(without_space(std::string_view(left).substr(0, end)));
         if (!line.empty() && line != "^") said = line;
         left = end == std::string::npos ? "" : left.substr(end + 1);
     }
-    return said.empty() ? "it ended badly" : one_line(said, 300);
+    return {"", said.empty() ? "it ended badly" : one_line(said, 300)};
 }
 
 /// Twice as many pixels as an SVG has units.
@@ -99,20 +53,17 @@ void check_plot(const std::string& option, const std::string& file) {
     if (ending != ".svg" && ending != ".png")
         throw InputError(option + " = " + one_line(file, 1000) +
                          ": .svg or .png is allowed, the ending chooses the format");
-    if (const std::string complaint = complaint_of_gnuplot(terminal_of(ending)); !complaint.empty())
+    if (const std::string complaint = drawn_by_gnuplot(terminal_of(ending)).complaint; !complaint.empty())
         throw InputError(option + ": gnuplot cannot make " + ending + " files: " + complaint);
 }
 
 void plot(const std::string& file, const std::string& script) {
-    OutputFile output(file);
-    const std::string complaint =
-        complaint_of_gnuplot("set encoding utf8\nset micro\n" + terminal_of(ending_of(file)) + "set output " +
-                             plot_text(output.path().string()) + "\n" + script + "\nunset output\n");
-    std::error_code failure;
-    if (!complaint.empty() || std::filesystem::file_size(output.path(), failure) == 0 || failure)
+    const Drawn drawn =
+        drawn_by_gnuplot("set encoding utf8\nset micro\n" + terminal_of(ending_of(file)) + script + "\nunset output\n");
+    if (drawn.picture.empty())
         throw InputError("--plot = " + one_line(file, 1000) + ": gnuplot could not make it" +
-                         (complaint.empty() ? "" : ": " + complaint));
-    output.finish();
+                         (drawn.complaint.empty() ? "" : ": " + drawn.complaint));
+    write_file(file, [&](const Append& append) { append(drawn.picture); });
 }
 
 std::string plot_text(const std::string& text) {

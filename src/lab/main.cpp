@@ -56,6 +56,7 @@ constexpr Command commands[] = {
     {"stability", "The largest stable step of every method over stiffness and damping, measured and in theory",
      add_stability},
     {"converge", "Error against step and grid: the orders measured, and what prevents convergence", add_converge},
+    {"report", "All of that on one page: trade, stability, price and converge", add_report},
     {"merge", "Join the parts of a sweep that several processes or machines made", add_merge},
     {"scenes", "List the shipped scenes", add_scenes},
     {"settings", "List every setting of a scene, with unit and range", add_settings},

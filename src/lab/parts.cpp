@@ -29,15 +29,6 @@ constexpr std::size_t most_bytes = std::size_t{1} << 30;
     fail(file, "line " + std::to_string(line) + ": " + why);
 }
 
-/// "AMD EPYC 7763 64-Core Processor"
-std::string processor_name() {
-    std::ifstream info("/proc/cpuinfo");
-    for (std::string line; std::getline(info, line);)
-        if (const auto colon = line.find(": "); line.starts_with("model name") && colon != std::string::npos)
-            return line.substr(colon + 2);
-    return "unknown";
-}
-
 void read_header(Part& part, const std::string& line) {
     const Json json = Json::parse(line, nullptr, false);
     if (!json.is_object() || !json.contains(format_name)) fail(part.file, "no part of a sweep, such as --part writes");
@@ -118,6 +109,14 @@ void take(Part& all, const Part& part) {
 }
 
 }  // namespace
+
+std::string processor_name() {
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);)
+        if (const auto colon = line.find(": "); line.starts_with("model name") && colon != std::string::npos)
+            return line.substr(colon + 2);
+    return "unknown";
+}
 
 Shard shard_in(const std::string& option, const std::string& text) {
     constexpr std::size_t most = 1'000'000;

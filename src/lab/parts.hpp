@@ -86,6 +86,9 @@ struct Joined {
     std::optional<std::string> missing(const std::vector<std::string>& keys) const;
 };
 
+/// "AMD EPYC 7763 64-Core Processor"
+std::string processor_name();
+
 /// Throws InputError that names the parts that do not belong together, and why.
 Joined join(const std::vector<std::string>& files);
 

@@ -1,8 +1,9 @@
 #include "price_part.hpp"
 
+#include "io/error.hpp"
+#include "same_cloth.hpp"
 #include "scene/check.hpp"
 #include "scene/settings.hpp"
-#include "trade_point.hpp"
 
 #include <fmt/format.h>
 
@@ -137,7 +138,11 @@ private:
         if (columns == scene_.flag.columns && rows == scene_.flag.rows) return;
         const std::string label = fmt::format("grid of {} x {} masses ({} x {} instead)", scene_.flag.columns,
                                               scene_.flag.rows, columns, rows);
-        parts_.push_back(part_of("flag", label, on_grid(scene_, columns, rows)));
+        try {
+            parts_.push_back(part_of("flag", label, same_cloth(scene_, columns, rows)));
+        } catch (const InputError& impossible) {
+            parts_.push_back({"flag", label, scene_, {}, impossible.what()});
+        }
     }
 
     const Scene& scene_;

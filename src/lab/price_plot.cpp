@@ -27,7 +27,7 @@ std::vector<Bar> bars_of(const PriceStudy& study, const Prices& prices) {
     std::vector<Bar> bars;
     for (const Priced& one : prices.parts) {
         if (!std::isfinite(one.cost) && !one.effect.is_measured) continue;
-        std::string name = one.part.key == "flag" ? "every other row and column" : one.part.key;
+        std::string name = one.part.key == "flag" ? "half the grid" : one.part.key;
         for (const std::string& table : one.part.also) name += " and " + table;
         const double effect = !one.effect.is_measured     ? NAN
                               : study.is_beyond_horizon() ? standard_errors_apart(one.effect.tip, study.reference_tip())

@@ -164,8 +164,9 @@ std::string reduction_text(const PriceStudy& study, const Prices& prices, const 
         text += fmt::format("nothing that saves time (more than {}) can be left out within {}",
                             percent(prices.resolution), tolerance);
         if (reduction.nearest)
-            text += fmt::format("; the nearest is {}: {}, {} less time", reduction.nearest->part.label,
-                                rms_text(reduction.nearest->effect), percent(reduction.nearest->bought));
+            text += fmt::format("; the nearest is {}: {}, known to {}, {} less time", reduction.nearest->part.label,
+                                rms_text(reduction.nearest->effect), metres(reduction.nearest->effect.known_to),
+                                percent(reduction.nearest->bought));
         return text + "\n";
     }
     text +=

@@ -1,5 +1,7 @@
 #include "trade_point.hpp"
 
+#include "same_cloth.hpp"
+
 #include "io/error.hpp"
 #include "io/text.hpp"
 #include "scene/file.hpp"
@@ -74,26 +76,6 @@ Counts usual_counts(Method method, const Model& model) {
 
 }  // namespace
 
-Scene on_grid(const Scene& scene, int columns, int rows) {
-    Scene other = scene;
-    other.flag.columns = columns;
-    other.flag.rows = rows;
-    const auto share = [](int few, int many) { return static_cast<double>(few) / many; };
-    const double across = share(columns, scene.flag.columns), down = share(rows, scene.flag.rows);
-    const double cells_across = share(std::max(1, columns - 1), std::max(1, scene.flag.columns - 1));
-    const double cells_down = share(std::max(1, rows - 1), std::max(1, scene.flag.rows - 1));
-    const double fly = cells_across / down, hoist = cells_down / across;  // springs in a line over lines of springs
-    const double stiffer = rows == 1 ? fly : columns == 1 ? hoist : std::sqrt(fly * hoist);
-    SpringSettings& springs = other.springs;
-    springs.mass /= across * down;
-    springs.stiffness *= stiffer;
-    if (springs.diagonal_stiffness) *springs.diagonal_stiffness *= stiffer;
-    if (springs.damping) *springs.damping *= stiffer;
-    if (springs.drag) *springs.drag /= across * down;
-    if (springs.friction) *springs.friction /= across * down;
-    return other;
-}
-
 double TradePoint::dt() const {
     return batch_seconds / static_cast<double>(steps_a_batch);
 }
@@ -116,7 +98,7 @@ std::vector<Variant> variants_of(const Scene& scene, const TradeChoice& choice) 
             std::any_of(variants.begin(), variants.end(), [&](const Variant& v) { return v.key == variant.key; });
         if (!known) variants.push_back(std::move(variant));
     };
-    for (const auto& [columns, rows] : choice.grids) add(on_grid(scene, columns, rows));
+    for (const auto& [columns, rows] : choice.grids) add(same_cloth(scene, columns, rows));
     if (choice.both_diagonals)
         for (std::size_t n = 0, count = variants.size(); n < count; ++n) {
             Scene other = variants[n].scene;

@@ -39,9 +39,6 @@ struct TradeChoice {
     std::vector<std::optional<double>> limits;  // shares; nothing: no limit
 };
 
-/// The same cloth on another grid: as heavy, as much drag and friction, as stiff in all.
-Scene on_grid(const Scene& scene, int columns, int rows);
-
 /// The scene itself first. Throws InputError where one is impossible.
 std::vector<Variant> variants_of(const Scene& scene, const TradeChoice& choice);
 

@@ -153,7 +153,7 @@ std::string reference_text(const TradeSweep& sweep) {
     if (sweep.grounds().size() > 1)
         text +=
             "  errors are from the motion of the scene as given, at its masses (other grids are interpolated to them;\n"
-            "  they are cloth as heavy and as stiff in all)\n";
+            "  inside the cloth they have as much mass per area and are as stiff)\n";
     return text;
 }
 
