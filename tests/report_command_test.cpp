@@ -15,10 +15,6 @@ constexpr const char* on_a_spring =
     "name = \"A <b>&\\\"soft\\\" flag\"\n[flag]\ncolumns = 1\nrows = 2\nheight = 1\nattach = \"corner\"\n"
     "[springs]\nmass = 0.1\nstiffness = 5\n";
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("a report is one page with four chapters that needs no other file") {
