@@ -46,10 +46,11 @@ std::vector<std::string> trade_answers(const Json& found, const Scene&) {
     const Json recommended = found.value("recommended", Json());
     if (recommended.is_object() && std::isfinite(tolerance)) {
         const double cost = number(recommended, "ms_per_second");
-        answers.push_back(fmt::format(
-            "Within {} over {} the cheapest setting is {}: {} ms of processor time a simulated second, {} times faster "
-            "than real time.",
-            quantity(tolerance, "m"), span, setting(recommended), rounded(cost, 3), rounded(1000.0 / cost, 2)));
+        answers.push_back(
+            fmt::format("Within {} over {} the cheapest setting is {}: {} of processor time a simulated second{}.",
+                        quantity(tolerance, "m"), span, setting(recommended), quantity(1e-3 * cost, "s"),
+                        cost <= 1000.0 ? ", " + rounded(1000.0 / cost, 2) + " times faster than real time"
+                                       : ", slower than real time"));
     } else if (std::isfinite(tolerance)) {
         answers.push_back("No setting measured stays within " + quantity(tolerance, "m") + " over " + span + ".");
     }
