@@ -2,6 +2,7 @@
 
 #include "clocks.hpp"
 #include "io/text.hpp"
+#include "run/error_estimate.hpp"
 
 #include "drapeau/stability.hpp"
 
@@ -25,10 +26,6 @@ long long first_count(Method method, const Model& model) {
         const double dt = is_stable ? automatic_step(chosen, model) : automatic_step(SemiImplicitEuler{}, model) / 16.0;
         return std::max(1LL, std::llround(batch_seconds / whole_steps_per_batch(dt)));
     });
-}
-
-int order_of(Method method) {
-    return with_method(method, []<class M>(const M&) { return M::order; });
 }
 
 /// What rounding, which the motion makes grow like any other push, leaves of a position (m).
