@@ -174,3 +174,17 @@ TEST_CASE("A reference follows the run on its thread, and begins anew when setti
     CHECK_FALSE(thread.take_reference(gap));
     CHECK(thread.reference_trouble().empty());
 }
+
+TEST_CASE("A reference that is asked for together with a scene that is refused begins all the same", "[threads]") {
+    Scene large = flag_in_wind();
+    large.flag.columns = 150, large.flag.rows = 100;
+    SimulationThread thread{Simulation(large)};
+    Scene refused = large;
+    refused.flag.columns = 0;
+    thread.ask_batches(1);  // both are asked for while it is at work
+    thread.follow_reference(true);
+    thread.apply(refused, 1);
+    thread.wait();
+    ReferenceRun::Gap gap;
+    CHECK(thread.take_reference(gap));
+}

@@ -179,7 +179,7 @@ void SimulationThread::work() {
         const bool single = !change && single_steps_ > 0;
         abandon_ = false;
         lock.unlock();
-        if (begins && !change) begin_reference();
+        if (begins) begin_reference();  // whatever becomes of a change, which begins one of its own
         const bool advanced = !reference_only && carry_out(change, single);
         lock.lock();
         if (now_.divergence || failed_)
