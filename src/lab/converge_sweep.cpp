@@ -1,9 +1,9 @@
 #include "converge_sweep.hpp"
 
-#include "clocks.hpp"
 #include "io/error.hpp"
 #include "io/text.hpp"
-#include "swing_in.hpp"
+#include "measure/clocks.hpp"
+#include "measure/swing_in.hpp"
 #include "run/simulation.hpp"
 
 #include "drapeau/stability.hpp"

@@ -1,12 +1,12 @@
 #include "grid_convergence.hpp"
 
-#include "clocks.hpp"
 #include "cloth_shape.hpp"
 #include "io/error.hpp"
 #include "io/text.hpp"
-#include "swing_in.hpp"
+#include "measure/clocks.hpp"
+#include "measure/same_cloth.hpp"
+#include "measure/swing_in.hpp"
 #include "run/start_state.hpp"
-#include "same_cloth.hpp"
 
 #include "drapeau/stability.hpp"
 

@@ -2,7 +2,7 @@
 // differs from the one before; with what is known to prevent convergence measured on every grid.
 #pragma once
 
-#include "reference_flight.hpp"
+#include "measure/reference_flight.hpp"
 #include "scene/scene.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // Price plot: bars of what each part of a scene costs and what leaving it out changes, as a script of gnuplot.
 #pragma once
 
-#include "price_study.hpp"
+#include "measure/price_study.hpp"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // Price report: what a study found, as tables for a person and as JSON for programs.
 #pragma once
 
-#include "price_study.hpp"
+#include "measure/price_study.hpp"
 
 #include <nlohmann/json.hpp>
 

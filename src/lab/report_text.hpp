@@ -1,8 +1,8 @@
 // Report text: what the reports of comparisons of motions say in the same words.
 #pragma once
 
-#include "reference_flight.hpp"
-#include "tip_statistics.hpp"
+#include "measure/reference_flight.hpp"
+#include "measure/tip_statistics.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "step_convergence.hpp"
 
-#include "clocks.hpp"
 #include "io/text.hpp"
+#include "measure/clocks.hpp"
 #include "run/error_estimate.hpp"
 
 #include "drapeau/stability.hpp"

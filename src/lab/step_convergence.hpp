@@ -2,7 +2,7 @@
 // and where they show none, what prevents it.
 #pragma once
 
-#include "reference_flight.hpp"
+#include "measure/reference_flight.hpp"
 
 #include <cmath>
 #include <functional>

@@ -1,8 +1,8 @@
 // Trade options: what the command line of trade says, as the numbers and lists it means.
 #pragma once
 
+#include "measure/trade_sweep.hpp"
 #include "trade.hpp"
-#include "trade_sweep.hpp"
 
 namespace drapeau::lab {
 

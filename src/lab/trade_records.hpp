@@ -1,9 +1,9 @@
 // Trade records: what a sweep of trade keeps in part files: its identity, what points are judged by, and each point.
 #pragma once
 
+#include "measure/trade_sweep.hpp"
 #include "parts.hpp"
 #include "trade.hpp"
-#include "trade_sweep.hpp"
 
 namespace drapeau::lab {
 

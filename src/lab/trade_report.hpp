@@ -1,7 +1,7 @@
 // Trade report: what a sweep found, as tables for a person and as JSON for programs.
 #pragma once
 
-#include "trade_sweep.hpp"
+#include "measure/trade_sweep.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 struct ScenePart {
     std::string key;    // stable, as in a scene file: "springs.drag", "wind", "wind.gusts", "time.precision", "flag"
@@ -22,4 +22,4 @@ struct ScenePart {
 /// the same cloth).
 std::vector<ScenePart> parts_of(const Scene& scene);
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

@@ -2,12 +2,12 @@
 // that the difference is what was left out, not the error of a step.
 #pragma once
 
-#include "trade_measure.hpp"
+#include "measure/trade_measure.hpp"
 
 #include <functional>
 #include <string>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 struct Effect {
     Apart apart;            // of the motion without from the motion with it, at the masses of the scene as given
@@ -29,4 +29,4 @@ Stretch stretch_on(const Scene& scene, const Ground& ground);
 Effect effect_of(const Scene& scene, const Ground& ground, bool only_statistics,
                  const std::function<bool()>& may_go_on);
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

@@ -2,13 +2,13 @@
 // time is compared that is no longer than its motion can be foretold.
 #pragma once
 
-#include "flight.hpp"
+#include "measure/flight.hpp"
 
 #include <functional>
 #include <optional>
 #include <string>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 /// The scene as its reference is flown: in double, by rk4, at its automatic step.
 Scene as_reference(Scene scene);
@@ -37,4 +37,4 @@ void check_that_it_moves(const Model& model);
 /// What one unit of step_cost takes here and now (s on the wall), in double, with rk4.
 double measured_unit(const Model& model);
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

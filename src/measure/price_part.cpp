@@ -1,7 +1,7 @@
-#include "price_part.hpp"
+#include "measure/price_part.hpp"
 
 #include "io/error.hpp"
-#include "same_cloth.hpp"
+#include "measure/same_cloth.hpp"
 #include "scene/check.hpp"
 #include "scene/settings.hpp"
 
@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <type_traits>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 namespace {
 
@@ -155,4 +155,4 @@ std::vector<ScenePart> parts_of(const Scene& scene) {
     return Parts(scene).all();
 }
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

@@ -1,10 +1,10 @@
-#include "price_study.hpp"
+#include "measure/price_study.hpp"
 
 #include "io/error.hpp"
 #include "io/text.hpp"
-#include "clocks.hpp"
+#include "measure/clocks.hpp"
+#include "measure/swing_in.hpp"
 #include "run/step_choice.hpp"
-#include "swing_in.hpp"
 
 #include "drapeau/stability.hpp"
 
@@ -14,7 +14,7 @@
 #include <cmath>
 #include <utility>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 namespace {
 
@@ -173,4 +173,4 @@ Prices PriceStudy::measure() {
     return prices;
 }
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

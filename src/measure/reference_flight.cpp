@@ -1,8 +1,8 @@
-#include "reference_flight.hpp"
+#include "measure/reference_flight.hpp"
 
 #include "io/error.hpp"
 #include "io/text.hpp"
-#include "clocks.hpp"
+#include "measure/clocks.hpp"
 
 #include "drapeau/stability.hpp"
 
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <random>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 namespace {
 
@@ -238,4 +238,4 @@ ReferenceFlight find_reference(const Model& model, const Stretch& stretch, Yards
     return Search(model, stretch, yardstick, limits).find();
 }
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

@@ -1,11 +1,11 @@
-#include "same_cloth.hpp"
+#include "measure/same_cloth.hpp"
 
 #include "scene/file.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 namespace {
 
@@ -99,4 +99,4 @@ void hold_fast(State<double>& state, const Model& model, double prestretch) {
         }
 }
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

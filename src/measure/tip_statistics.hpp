@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 /// Each with one standard error, from the spread of up to eight blocks of the time. NAN where the time is too short.
 struct TipStatistics {
@@ -28,4 +28,4 @@ TipStatistics statistics_of(const std::vector<glm::dvec3>& position, const std::
 /// How many standard errors apart two are at most: in mean, variance and mean frequency.
 double standard_errors_apart(const TipStatistics& one, const TipStatistics& other);
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

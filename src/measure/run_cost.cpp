@@ -1,11 +1,11 @@
-#include "run_cost.hpp"
+#include "measure/run_cost.hpp"
 
-#include "clocks.hpp"
+#include "measure/clocks.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 Simulation simulation_at(Scene scene, const Stretch& stretch) {
     scene.flag.start = Start::flat;
@@ -33,4 +33,4 @@ double run_cost(const Scene& scene, const Stretch& stretch, int times) {
     return 1e3 * seconds / (times * stretch.seconds());
 }
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

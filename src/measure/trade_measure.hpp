@@ -1,16 +1,16 @@
 // Trade measure: the error and the cost of one point. Nothing here prints or decides what is measured.
 #pragma once
 
-#include "reference_flight.hpp"
-#include "tip_statistics.hpp"
-#include "trade_point.hpp"
+#include "measure/reference_flight.hpp"
+#include "measure/tip_statistics.hpp"
+#include "measure/trade_point.hpp"
 
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 /// What the points of a variant are judged by. The reference may be left empty, but of the scene as given.
 struct Ground {
@@ -51,4 +51,4 @@ Measured measure_errors(const TradePoint& point, const Ground& ground, const Gro
 /// milliseconds, the stretch as a whole each time.
 double measure_cost(const Measured& measured, const Ground& ground);
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

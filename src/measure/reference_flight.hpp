@@ -3,12 +3,12 @@
 // is never judged by itself: rk4 is judged by leapfrog, every other by rk4.
 #pragma once
 
-#include "flight.hpp"
+#include "measure/flight.hpp"
 
 #include <functional>
 #include <string>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 struct ReferenceFlight {
     Flight by_rk4, by_leapfrog;
@@ -62,4 +62,4 @@ Growth find_growth(const Model& model, const Stretch& stretch, Yardstick& yardst
 ReferenceFlight find_reference(const Model& model, const Stretch& stretch, Yardstick& yardstick,
                                const ReferenceLimits& limits);
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

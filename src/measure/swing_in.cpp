@@ -1,7 +1,7 @@
-#include "swing_in.hpp"
+#include "measure/swing_in.hpp"
 
 #include "io/error.hpp"
-#include "clocks.hpp"
+#include "measure/clocks.hpp"
 #include "run/simulation.hpp"
 
 #include "drapeau/stability.hpp"
@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 namespace {
 
@@ -85,4 +85,4 @@ double measured_unit(const Model& model) {
     return least / engine->step_cost();
 }
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

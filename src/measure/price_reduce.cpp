@@ -1,10 +1,10 @@
 // Price reduce: the parts that a scene can do without, one after the other.
-#include "price_study.hpp"
+#include "measure/price_study.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 /// A part that may be dropped next, and the effect of all that is left out with it.
 struct PriceStudy::Candidate {
@@ -124,4 +124,4 @@ Reduction PriceStudy::reduce(const Prices& prices) {
     return reduction;
 }
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

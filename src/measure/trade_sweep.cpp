@@ -1,11 +1,11 @@
-#include "trade_sweep.hpp"
+#include "measure/trade_sweep.hpp"
 
 #include "io/error.hpp"
 #include "io/text.hpp"
-#include "clocks.hpp"
+#include "measure/clocks.hpp"
+#include "measure/swing_in.hpp"
 #include "run/carry_over.hpp"
 #include "run/simulation.hpp"
-#include "swing_in.hpp"
 
 #include "drapeau/stability.hpp"
 
@@ -15,7 +15,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 namespace {
 
@@ -262,4 +262,4 @@ Recommendation TradeSweep::recommend(const std::vector<Measured>& points, const 
     return found;
 }
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

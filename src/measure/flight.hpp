@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 /// From a state on, so many batches of 1/60 s. Samples are taken every `every` batches, the last one included.
 struct Stretch {
@@ -98,4 +98,4 @@ private:
 
 Apart apart(const Model& model, const Flight& one, const Flight& truth);
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

@@ -1,9 +1,9 @@
-#include "trade_analysis.hpp"
+#include "measure/trade_analysis.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 std::vector<std::size_t> efficient_front(const std::vector<Measured>& points) {
     std::vector<std::size_t> order;
@@ -68,4 +68,4 @@ std::vector<std::size_t> all_within(const std::vector<Measured>& points, double 
     return within;
 }
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

@@ -8,7 +8,7 @@
 #include "drapeau/state.hpp"
 #include "scene/scene.hpp"
 
-namespace drapeau::lab {
+namespace drapeau {
 
 /// Throws InputError where it is impossible.
 Scene same_cloth(const Scene& scene, int columns, int rows);
@@ -23,4 +23,4 @@ State<double> on_finer_grid(const State<double>& coarse, int times);
 /// Sets held masses to where the scene has them, at rest.
 void hold_fast(State<double>& state, const Model& model, double prestretch);
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

@@ -2,16 +2,16 @@
 // nothing; who asks is told how far it is.
 #pragma once
 
-#include "price_cost.hpp"
-#include "price_effect.hpp"
-#include "price_part.hpp"
+#include "measure/price_cost.hpp"
+#include "measure/price_effect.hpp"
+#include "measure/price_part.hpp"
 
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 struct PriceRequest {
     Scene scene;
@@ -123,4 +123,4 @@ private:
     bool is_shortened_ = false;
 };
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

@@ -1,15 +1,15 @@
-#include "price_cost.hpp"
+#include "measure/price_cost.hpp"
 
 #include "io/error.hpp"
-#include "clocks.hpp"
-#include "price_effect.hpp"
-#include "run_cost.hpp"
+#include "measure/clocks.hpp"
+#include "measure/price_effect.hpp"
+#include "measure/run_cost.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 namespace {
 
@@ -100,4 +100,4 @@ Scene at_step(const Scene& scene, double dt) {
     return other;
 }
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

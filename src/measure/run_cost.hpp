@@ -1,10 +1,10 @@
 // Run cost: the processor time of a stretch of a scene as the programs run it, its energy ledger included.
 #pragma once
 
-#include "flight.hpp"
+#include "measure/flight.hpp"
 #include "run/simulation.hpp"
 
-namespace drapeau::lab {
+namespace drapeau {
 
 /// A simulation at the stretch's beginning. How the scene itself starts takes time and does not matter.
 Simulation simulation_at(Scene scene, const Stretch& stretch);
@@ -15,4 +15,4 @@ int times_for(double long_enough, double seconds);
 /// Runs the stretch so often, warm: ms of processor time a simulated second.
 double run_cost(const Scene& scene, const Stretch& stretch, int times);
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

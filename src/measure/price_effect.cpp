@@ -1,4 +1,4 @@
-#include "price_effect.hpp"
+#include "measure/price_effect.hpp"
 
 #include "io/error.hpp"
 #include "io/text.hpp"
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <optional>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 namespace {
 
@@ -134,4 +134,4 @@ Effect effect_of(const Scene& scene, const Ground& ground, bool only_statistics,
     return effect;
 }
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

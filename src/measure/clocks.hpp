@@ -4,7 +4,7 @@
 #include <chrono>
 #include <ctime>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 /// s of processor time of all threads since the process began; only differences mean anything.
 inline double processor_seconds() {
@@ -18,4 +18,4 @@ inline double wall_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

@@ -1,11 +1,11 @@
 // Trade analysis: what follows from the points measured: the efficient front, orders, the setting to recommend.
 #pragma once
 
-#include "trade_measure.hpp"
+#include "measure/trade_measure.hpp"
 
 #include <vector>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 /// Places in the list of those that no other point beats in both error and cost, the cheapest first. Points that
 /// diverged, that were not measured or whose error is below what the reference resolves are left out.
@@ -26,4 +26,4 @@ bool meets(const Measured& point, double tolerance);
 /// The places of those that meet it, the cheapest first.
 std::vector<std::size_t> all_within(const std::vector<Measured>& points, double tolerance);
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

@@ -1,13 +1,13 @@
 // Price cost: processor time of several scenes over the same stretch, as the programs run them, taking turns.
 #pragma once
 
-#include "trade_measure.hpp"
+#include "measure/trade_measure.hpp"
 
 #include <functional>
 #include <string>
 #include <vector>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 struct Cost {
     double ms_per_second = NAN;  // ms of processor time a simulated second, the least of the rounds; NAN where it fails
@@ -36,4 +36,4 @@ double step_of(const Scene& scene, const Ground& ground);
 /// The scene at a given step (s).
 Scene at_step(const Scene& scene, double dt);
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

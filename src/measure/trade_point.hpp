@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 /// A model to compare: the scene as given (the first), or on another grid, without diagonal springs, with another
 /// stretch limit.
@@ -46,4 +46,4 @@ std::vector<Variant> variants_of(const Scene& scene, const TradeChoice& choice);
 /// A method without a limit, from its coarsest step on.
 std::vector<TradePoint> points_of(const std::vector<Variant>& variants, const TradeChoice& choice);
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

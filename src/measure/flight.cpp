@@ -1,11 +1,11 @@
-#include "flight.hpp"
+#include "measure/flight.hpp"
 
 #include "drapeau/stability.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 static_assert(Stretch::batch_length == batch_seconds);
 
@@ -147,4 +147,4 @@ Apart apart(const Model& model, const Flight& one, const Flight& truth) {
     return comparison.result();
 }
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

@@ -1,11 +1,11 @@
-#include "tip_statistics.hpp"
+#include "measure/tip_statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <functional>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 namespace {
 
@@ -101,4 +101,4 @@ double standard_errors_apart(const TipStatistics& one, const TipStatistics& othe
                      apart(std::abs(one.mean_hertz - other.mean_hertz), one.mean_hertz_error, other.mean_hertz_error)});
 }
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

@@ -1,9 +1,9 @@
 // What a sweep's points are judged by, taken out of it and put into another that is to be reported.
-#include "trade_sweep.hpp"
+#include "measure/trade_sweep.hpp"
 
 #include <utility>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 TradeBasis TradeSweep::basis() const {
     const Stretch& stretch = grounds_.front().stretch;
@@ -32,4 +32,4 @@ void TradeSweep::restore(const TradeBasis& basis) {
     list_affordable();
 }
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

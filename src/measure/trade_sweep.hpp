@@ -2,14 +2,14 @@
 // budget. It prints nothing; who asks is told how far it is.
 #pragma once
 
-#include "trade_analysis.hpp"
+#include "measure/trade_analysis.hpp"
 
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 struct TradeRequest {
     Scene scene;
@@ -123,4 +123,4 @@ private:
     bool is_shortened_ = false;
 };
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

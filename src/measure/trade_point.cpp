@@ -1,6 +1,6 @@
-#include "trade_point.hpp"
+#include "measure/trade_point.hpp"
 
-#include "same_cloth.hpp"
+#include "measure/same_cloth.hpp"
 
 #include "io/error.hpp"
 #include "io/text.hpp"
@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 namespace {
 
@@ -149,4 +149,4 @@ std::vector<TradePoint> points_of(const std::vector<Variant>& variants, const Tr
     return points;
 }
 
-}  // namespace drapeau::lab
+}  // namespace drapeau

@@ -1,17 +1,17 @@
-#include "trade_measure.hpp"
+#include "measure/trade_measure.hpp"
 
 #include "io/error.hpp"
-#include "clocks.hpp"
+#include "measure/clocks.hpp"
+#include "measure/run_cost.hpp"
 #include "run/carry_over.hpp"
 #include "run/simulation.hpp"
-#include "run_cost.hpp"
 
 #include "drapeau/stability.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace drapeau::lab {
+namespace drapeau {
 
 namespace {
 
@@ -102,4 +102,4 @@ double measure_cost(const Measured& measured, const Ground& ground) {
                     times_for(long_enough, measured.first_cost));
 }
 
-}  // namespace drapeau::lab
+}  // namespace drapeau
