@@ -222,6 +222,40 @@ TEST_CASE("a stretch limit that holds masses back lowers every order to 1, which
     CHECK(has(found["conclusion"], "leapfrog and rk4: a lower order, for the stretch limit"));
 }
 
+TEST_CASE("a stretch limit is named where grids converge at a low order, or not, because of it") {
+    const Bench bench;
+    // The chain of the test above whose end is heavy, but hung by both ends: no border moves.
+    const std::string chain =
+        "[flag]\ncolumns = 1\nrows = 5\nheight = 0.5\nattach = \"top\"\n[springs]\nmass = 0.025\nstiffness = 40\n"
+        "drag = 0.75\n[gravity]\n";
+    bench.write("free.toml", chain);
+    bench.write("limited.toml", chain + "[limit]\nstretch = 0.01\n");
+    const std::string arguments = " --settle 1 --seconds 0.05 --methods leapfrog --levels 4";
+    CHECK_FALSE(has(converge(bench, "free.toml" + arguments)["conclusion"], "stretch limit"));
+    const Json found = converge(bench, "limited.toml" + arguments);
+    CHECK(has(found["conclusion"], "the stretch limit moves masses after each step"));
+}
+
+TEST_CASE(
+    "where the grids' ratios show different orders that is said, and one good ratio is not taken for convergence") {
+    const Bench bench;
+    // So coarse a drum in so short a time: the first difference is the smallest.
+    const std::string drum = "drum --set flag.rows=5 --methods leapfrog --seconds 0.1 --levels 4 --set flag.columns=";
+    const Json found = converge(bench, drum + "7");
+    const double first = found["grids"][2]["order"], last = found["grids"][3]["order"];
+    REQUIRE(std::abs(first - last) > 0.5);
+    REQUIRE(first < 0.5);
+    REQUIRE(last > 0.5);
+    CHECK(found["orders_disagree"] == true);
+    CHECK(has(found["conclusion"], "The grids' ratios disagree (orders -0."));
+    CHECK(found["grids_verdict"] == "too coarse");
+
+    bench.write("membrane.toml", square_cloth(0.1, "drag = 0.86\n[gravity]\nacceleration = [0, 0, -0.01]\n"));
+    const Json steady = converge(bench, "membrane.toml --settle 0.5 --seconds 0.05 --methods leapfrog");
+    CHECK(steady["orders_disagree"] == false);
+    CHECK_FALSE(has(steady["conclusion"], "disagree"));
+}
+
 TEST_CASE("what the budget does not suffice for is left out, the finest first, and that is said") {
     const Bench bench;
     const std::string budget = sanitized ? "2" : "0.1";

@@ -20,6 +20,10 @@ using Json = nlohmann::ordered_json;
 const std::string trade = "trade spring --settle 0 --precisions double --methods leapfrog,rk4,semi-implicit-euler ";
 const std::string stability = "stability spring --methods leapfrog,rk4,xpbd --stiffness 0.5,500 --damping 0,0.1 ";
 
+const std::string price = "price spring --settle 0 ";
+const std::string converge =
+    "converge drum --set flag.columns=4 --set flag.rows=4 --methods leapfrog,rk4 --levels 3 --seconds 0.05 ";
+
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
     for (std::size_t from = 0, end; (end = text.find('\n', from)) != std::string::npos; from = end + 1)
@@ -49,11 +53,18 @@ void check_done(const Outcome& outcome) {
     REQUIRE(outcome.status == 0);
 }
 
-/// The JSON of a trade without what follows from times.
+/// The JSON of a command without what follows from times.
 Json without_times(const Bench& bench, const std::string& file) {
     Json json = Json::parse(contents(bench.path / file));
-    for (Json& point : json["points"]) point.erase("ms_per_second");
+    if (json.contains("points"))
+        for (Json& point : json["points"]) point.erase("ms_per_second");
     json.erase("front");
+    json.erase("ms_per_second");
+    if (json.contains("terms"))
+        for (Json& part : json["terms"])
+            for (const char* cost :
+                 {"cost_percent", "cost_known_to_percent", "cost_same_step_percent", "cost_same_step_known_to_percent"})
+                REQUIRE(part.erase(cost) == 1);
     return json;
 }
 
@@ -81,21 +92,98 @@ TEST_CASE("shards together are the whole sweep, bit for bit in everything but ti
     CHECK(contents(bench.path / "again.json") == contents(bench.path / "whole.json"));
 }
 
-TEST_CASE("what is measured in parts does not depend on how busy the machine is") {
-    // The budget ends the search for a reference, and leaves settings out.
-    const std::string hard =
-        "trade report --set flag.columns=6 --set flag.rows=5 --settle 0 --seconds 0.2 --budget 0.02 "
-        "--precisions double --part part";
-    const Bench alone;
-    check_done(alone.run(hard));
-    const auto measured = results(alone, {"part"});
-    CHECK(std::any_of(measured.begin(), measured.end(), [](const auto& line) { return has(line, "\"left out\""); }));
+TEST_CASE("the parts of a scene priced in shards are the whole, bit for bit in everything but times") {
+    const Bench bench;
+    bench.write(
+        "sheet.toml",
+        "[flag]\ncolumns = 7\nrows = 5\nwidth = 0.6\nheight = 0.4\nattach = \"hoist\"\n[springs]\nmass = 0.001\n"
+        "stiffness = 50\ndiagonal_stiffness = 25\ndamping = 0.002\ndrag = 0.002\n[gravity]\n[time]\n"
+        "precision = \"double\"\ntolerance = 0.01\n");
+    const std::string sheet = "price sheet.toml --settle 0.1 --seconds 0.1 --budget 0.3 ";
+    check_done(bench.run(sheet + "--part whole --json whole.json"));
+    for (const std::string n : {"1", "2", "3"}) {
+        const Outcome shard = bench.run(sheet + "--shard " + n + "/3 --part " + n);
+        check_done(shard);
+        CHECK(has(shard.output, "shard " + n + "/3 is done: "));
+    }
+    CHECK(results(bench, {"1", "2", "3"}) == results(bench, {"whole"}));
+    check_done(bench.run("merge 3 1 2 --json merged.json"));
+    const Json whole = without_times(bench, "whole.json");
+    CHECK(whole["terms"].size() == 7);
+    CHECK(without_times(bench, "merged.json") == whole);
+    // Every shard times the scene as given beside its parts.
+    for (const std::string n : {"1", "2", "3"})
+        for (const std::string& line : lines_of(contents(bench.path / n)))
+            if (const Json record = Json::parse(line); record.contains("cost"))
+                CHECK(record["cost"]["scene_ms_per_second"] > 0.0);
+    check_done(bench.run("merge whole --json again.json"));
+    CHECK(contents(bench.path / "again.json") == contents(bench.path / "whole.json"));
+    // At once the same effects are found, for the budget suffices.
+    check_done(bench.run(sheet + "--json once.json"));
+    CHECK(without_times(bench, "once.json")["terms"] == whole["terms"]);
+}
 
-    const std::vector<Bench> crowd(6);
-    std::vector<std::thread> threads;
-    for (const Bench& one : crowd) threads.emplace_back([&one, &hard] { one.run(hard); });
-    for (std::thread& thread : threads) thread.join();
-    for (const Bench& one : crowd) CHECK(results(one, {"part"}) == measured);
+TEST_CASE("of a scene priced in shards merge leaves out what the whole tolerance allows") {
+    const Bench bench;
+    bench.write("fall.toml",
+                "[flag]\ncolumns = 9\nrows = 9\nwidth = 0.8\nheight = 0.8\nattach = \"none\"\ndisturbance = 0\n"
+                "[springs]\nmass = 0.001\nstiffness = 50\ndiagonal_stiffness = 25\n[gravity]\n");
+    const std::string fall = "price fall.toml --settle 0.1 --seconds 0.1 --budget 0.3 --tolerance 1um ";
+    for (const std::string n : {"1", "2"}) check_done(bench.run(fall + "--shard " + n + "/2 --part " + n));
+    check_done(bench.run("merge 1 2 --json merged.json --write less.toml"));
+    const Json reduced = Json::parse(contents(bench.path / "merged.json"))["reduced"];
+    CHECK(reduced["holds"] == true);
+    CHECK(reduced["check"]["effect_rms_m"] <= 1e-6);
+    CHECK(has(contents(bench.path / "less.toml"), "left out: "));
+}
+
+TEST_CASE("methods and grids measured in shards are the whole, bit for bit") {
+    const Bench bench;
+    check_done(bench.run(converge + "--part whole --json whole.json"));
+    for (const std::string n : {"1", "2", "3"}) check_done(bench.run(converge + "--shard " + n + "/3 --part " + n));
+    CHECK(results(bench, {"1", "2", "3"}) == results(bench, {"whole"}));
+    check_done(bench.run("merge 2 3 1 --json merged.json"));
+    CHECK(contents(bench.path / "merged.json") == contents(bench.path / "whole.json"));
+    // Where the budget suffices, all at once finds the same.
+    check_done(bench.run(converge + "--json once.json"));
+    CHECK(contents(bench.path / "once.json") == contents(bench.path / "whole.json"));
+}
+
+TEST_CASE("light borders are flown in shards where they may tell why an order is low") {
+    const Bench bench;
+    bench.write("chain.toml",
+                "[flag]\ncolumns = 1\nrows = 5\nheight = 0.5\nattach = \"top\"\n[springs]\nmass = 0.025\n"
+                "stiffness = 40\ndrag = 0.75\n[gravity]\n");
+    const std::string chain = "converge chain.toml --settle 1 --seconds 0.05 --methods leapfrog ";
+    check_done(bench.run(chain + "--json once.json"));
+    for (const std::string n : {"1", "2"}) check_done(bench.run(chain + "--shard " + n + "/2 --part " + n));
+    check_done(bench.run("merge 1 2 --json merged.json"));
+    const Json merged = Json::parse(contents(bench.path / "merged.json"));
+    CHECK(merged["grids_verdict"] == "converges, borders lower the order");
+    CHECK(merged["light_borders"] == Json::parse(contents(bench.path / "once.json"))["light_borders"]);
+}
+
+TEST_CASE("what is measured in parts does not depend on how busy the machine is") {
+    // The budget ends the search for a reference, and leaves points out.
+    const std::string report = " report --set flag.columns=6 --set flag.rows=5 --settle 0 --seconds 0.2 --part part ";
+    for (const std::string& hard :
+         {"trade" + report + "--budget 0.02 --precisions double", "price" + report + "--budget 0.1",
+          "converge" + report + "--budget 0.04 --methods leapfrog,rk4,xpbd"}) {
+        INFO(hard);
+        const Bench alone;
+        check_done(alone.run(hard));
+        const auto measured = results(alone, {"part"});
+        const auto is_left_out = [](const std::string& line) {
+            return has(line, "\"left out\"") || has(line, "\"held\":false");
+        };
+        CHECK((hard.starts_with("price") || std::any_of(measured.begin(), measured.end(), is_left_out)));
+
+        const std::vector<Bench> crowd(6);
+        std::vector<std::thread> threads;
+        for (const Bench& one : crowd) threads.emplace_back([&one, &hard] { one.run(hard); });
+        for (std::thread& thread : threads) thread.join();
+        for (const Bench& one : crowd) CHECK(results(one, {"part"}) == measured);
+    }
 }
 
 TEST_CASE("a stability map in shards is the whole one") {
@@ -108,20 +196,40 @@ TEST_CASE("a stability map in shards is the whole one") {
 
 TEST_CASE("a sweep killed at any moment goes on to the same result") {
     const Bench bench;
-    check_done(bench.run(trade + "--part whole"));
-    const auto whole = results(bench, {"whole"});
-    int killed = 0;
-    for (const std::string seconds : {"0.01", "0.05", "0.1", "0.15", "0.2", "0.3", "0.4"}) {
-        INFO("killed after " << seconds << " s");
-        fs::remove(bench.path / "part");
-        const Outcome outcome = bench.run(trade + "--part part", "timeout -s KILL " + seconds + " ");
-        killed += outcome.status != 0;
-        const std::string kept = fs::exists(bench.path / "part") ? contents(bench.path / "part") : "";
-        check_done(bench.run(trade + "--part part --resume"));
-        CHECK(contents(bench.path / "part").starts_with(kept.substr(0, kept.rfind('\n') + 1)));
-        CHECK(results(bench, {"part"}) == whole);
+    for (const std::string& sweep : {trade, price, converge}) {
+        fs::remove(bench.path / "whole");
+        check_done(bench.run(sweep + "--part whole"));
+        const auto whole = results(bench, {"whole"});
+        int killed = 0;
+        for (const std::string seconds : {"0.01", "0.05", "0.1", "0.15", "0.2", "0.3", "0.4"}) {
+            INFO(sweep << " killed after " << seconds << " s");
+            fs::remove(bench.path / "part");
+            const Outcome outcome = bench.run(sweep + "--part part", "timeout -s KILL " + seconds + " ");
+            killed += outcome.status != 0;
+            const std::string kept = fs::exists(bench.path / "part") ? contents(bench.path / "part") : "";
+            check_done(bench.run(sweep + "--part part --resume"));
+            CHECK(contents(bench.path / "part").starts_with(kept.substr(0, kept.rfind('\n') + 1)));
+            CHECK(results(bench, {"part"}) == whole);
+            check_done(bench.run("merge part"));
+        }
+        CHECK(killed > 0);
     }
-    CHECK(killed > 0);
+}
+
+TEST_CASE("a part cut off behind any of its lines goes on to the same result") {
+    const Bench bench;
+    for (const std::string& sweep : {price, converge}) {
+        fs::remove(bench.path / "whole");
+        check_done(bench.run(sweep + "--part whole"));
+        const std::string text = contents(bench.path / "whole");
+        for (std::size_t end = text.find('\n') + 1; end < text.size(); end = text.find('\n', end) + 1) {
+            INFO(sweep << " cut off after " << end << " bytes");
+            bench.write("part", text.substr(0, end));
+            check_done(bench.run(sweep + "--part part --resume"));
+            CHECK(results(bench, {"part"}) == results(bench, {"whole"}));
+            check_done(bench.run("merge part"));
+        }
+    }
 }
 
 TEST_CASE("a part cut off after any byte goes on to the same result, and merge does not count a torn line") {
@@ -185,6 +293,8 @@ TEST_CASE("parts of different sweeps are refused, and what differs is named") {
     refused(trade + "--seconds 0.25", "--seconds is not given there and 0.25 here");
     refused(trade + "--diagonals", "--diagonals is false there and true here");
     refused(stability, "the command is trade there and stability here");
+    refused(price, "the command is trade there and price here");
+    refused(converge, "the command is trade there and converge here");
     bench.write("2", "");
     check_done(bench.run(trade + "--part 2 --shard 2/3"));
     check_refused(bench.run("merge 1 2"), "it is shard 2/3, and shard 1/2 there");
@@ -234,6 +344,57 @@ TEST_CASE("what no sweep wrote is refused as a part, in one line") {
     check_refused(bench.run("merge ."), ".: ");
     check_refused(bench.run("merge no-such"), "no-such: No such file");
     check_refused(bench.run("merge"), "PART is required");
+}
+
+TEST_CASE("a cost or an error that no sweep can have written is refused, with its file and line") {
+    const Bench bench;
+    /// The n-th value (from 0) of that name made another, and the line it stands in.
+    const auto changed = [&](const std::string& name, const std::string& value, int n) {
+        std::string text = contents(bench.path / "good");
+        std::size_t at = text.find("\"" + name + "\":");
+        for (; n > 0; --n) at = text.find("\"" + name + "\":", at + 1);
+        REQUIRE(at != std::string::npos);
+        at += name.size() + 3;
+        const std::size_t end = text.find_first_of(",}]", at);
+        const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1;
+        bench.write("bad", text.replace(at, end - at, value));
+        return "bad: line " + std::to_string(line) + ": ";
+    };
+    const auto refused = [&](const std::string& name, const std::string& value, int n = 0) {
+        INFO(name << " = " << value);
+        const std::string line = changed(name, value, n);
+        check_refused(bench.run("merge bad"), line);
+    };
+    const auto make = [&](const std::string& sweep) {
+        fs::remove(bench.path / "good");
+        check_done(bench.run(sweep + "--part good"));
+        check_done(bench.run("merge good"));
+    };
+    make(trade);
+    for (const std::string value : {"-1.0", "null", "1e999", "\"1\""}) {
+        refused("at_end_m", value);
+        refused("ms_per_second", value);
+        refused("ms_per_second", value, 15);  // one that was timed again
+        refused("took_s", value);
+    }
+    refused("rk4_error_m", "-1.0");
+    refused("known_to_m", "-1.0");
+    make(price);
+    for (const std::string value : {"-1.0", "null", "1e999"}) {
+        refused("at_end_m", value);
+        refused("scene_ms_per_second", value);
+        refused("known_to", value, 1);
+    }
+    refused("share", "null");
+    refused("dt_s", "-1.0");
+    make(converge);
+    for (const std::string value : {"-1.0", "1e999"}) {
+        refused("difference_m", value, 1);
+        refused("error_m", value);
+    }
+    refused("flag", "\"good\"");
+    make(stability);
+    refused("measured_s", "-1.0");
 }
 
 TEST_CASE("what options of parts cannot do is refused before work") {

@@ -17,6 +17,10 @@ const SceneLine* find(const Lines& lines, const SceneLine& wanted) {
     return found == lines.end() ? nullptr : &*found;
 }
 
+std::string full_name(const SceneLine& line) {
+    return line.table + (line.table.empty() ? "" : ".") + line.key;
+}
+
 /// The place in the list of what changed the line first or took it out.
 std::size_t changed_by(const SceneLine& line, const std::vector<Lines>& stages) {
     for (std::size_t n = 0; n < stages.size(); ++n)
@@ -30,6 +34,7 @@ std::string reduced_scene_text(const Scene& given, const std::vector<LeftOut>& l
                                const std::vector<std::string>& heading) {
     std::vector<Lines> stages;
     for (const LeftOut& part : left_out) stages.push_back(scene_lines(part.without));
+    std::vector<std::string> said(stages.size());  // where the remark on each stands
     std::string text = scene_heading;
     for (const std::string& line : heading) text += "# " + line + "\n";
     for (const SceneLine& line : scene_lines(given)) {
@@ -39,10 +44,11 @@ std::string reduced_scene_text(const Scene& given, const std::vector<LeftOut>& l
             text += line.text(line.comment) + "\n";
             continue;
         }
-        const std::string unit = line.unit.empty() ? "" : line.unit + "; ";
         const bool names_table = line.key.empty();
-        text += "# " + line.text(unit + "left out: " + left_out[by].remark) +
-                (names_table ? "  # left out: " + left_out[by].remark : "") + "\n";
+        const std::string remark = said[by].empty() ? "left out: " + left_out[by].remark : "left out with " + said[by];
+        if (said[by].empty()) said[by] = names_table ? "[" + line.table + "]" : full_name(line);
+        const std::string unit = line.unit.empty() ? "" : line.unit + "; ";
+        text += "# " + line.text(unit + remark) + (names_table ? "  # " + remark : "") + "\n";
         if (const SceneLine* now = find(stages.back(), line)) text += now->text(now->comment) + "\n";
     }
     return text;

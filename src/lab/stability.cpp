@@ -106,7 +106,8 @@ void check_duration(const std::vector<StabilityPoint>& points) {
             "stability of this grid takes about " + duration(seconds) +
             "; choose a smaller one, such as --set flag.columns=20 --set flag.rows=20, fewer --methods, or "
             "one --shard of many");
-    if (seconds > worth_a_word) complain(program, fmt::format("{} limits, about {}", points.size(), duration(seconds)));
+    if (seconds > worth_a_word)
+        complain(program, fmt::format("{}, about {}", counted(points.size(), "limit"), duration(seconds)));
 }
 
 struct Outputs {
@@ -157,8 +158,8 @@ void check_scene_moves(const Scene& scene) {
 int in_parts(StabilityMap& map, const StabilityOptions& options, const Outputs& outputs, const Shard& shard) {
     PartFile file(options.part, identity_of(map.scene, options), shard);
     const std::vector<StabilityPoint> missing = missing_in(&file, map.points, shard);
-    complain(program, fmt::format("shard {}: {} of {} limits are to be measured", shard.text(), missing.size(),
-                                  missing_in(nullptr, map.points, shard).size()));
+    complain(program, fmt::format("shard {}: {} of {} to be measured", shard.text(), missing.size(),
+                                  counted(missing_in(nullptr, map.points, shard).size(), "limit")));
     measure(missing, [&](const StabilityPoint& point, const StabilityLimit& limit) {
         file.add(point.key, nullptr, result_json(limit));
     });

@@ -108,8 +108,9 @@ int in_parts(const TradeOptions& options, const TradeRequest& request, const Tra
     for (const std::size_t n : places)
         if (!file.has(sweep.point(n).key)) missing.push_back(n);
     const double before = sweep.seconds_before(), after = sweep.seconds_of_points(missing);
-    complain(program, fmt::format("shard {}: {} of {} settings, {} of them done, about {}", shard.text(), places.size(),
-                                  sweep.count(), places.size() - missing.size(), duration(before + after)));
+    complain(program,
+             fmt::format("shard {}: {} of {}, {} of them done, about {}", shard.text(), places.size(),
+                         counted(sweep.count(), "setting"), places.size() - missing.size(), duration(before + after)));
     TradeFindings findings;
     {
         Progress progress;

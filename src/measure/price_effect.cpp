@@ -2,6 +2,7 @@
 
 #include "io/error.hpp"
 #include "io/text.hpp"
+#include "measure/run_cost.hpp"
 #include "run/carry_over.hpp"
 #include "run/step_choice.hpp"
 
@@ -9,6 +10,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace drapeau {
 
@@ -66,6 +68,16 @@ public:
         return sum_of(std::move(flight), *in_float, *in_double);
     }
 
+    /// The flight with what the step makes of the scene's own run that no tolerance holds small; nothing if that does
+    /// not hold.
+    std::optional<Flight> unheld(Flight flight) {
+        Scene held = scene_;
+        held.time.tolerance = ground_.variant.scene.time.tolerance;
+        const auto without = as_programs_run(scene_), with = as_programs_run(held);
+        if (!without || !with) return {};
+        return sum_of(std::move(flight), *without, *with);
+    }
+
     /// How far it is from another flight, at the masses of the scene as given.
     Apart apart_from(const Flight& truth, const Flight& flight) const {
         if (is_on_same_grid(scene_, ground_.variant.scene)) return apart(ground_.model, flight, truth);
@@ -89,6 +101,20 @@ public:
     }
 
 private:
+    std::optional<Flight> as_programs_run(const Scene& scene) {
+        Simulation simulation = simulation_at(scene, stretch_);
+        const Tip tip = tip_of(model_);
+        Flight flight;
+        for (long long batch = 1; batch <= stretch_.batches; ++batch) {
+            if (simulation.advance_batch() || (may_go_on_ && !may_go_on_())) return {};
+            State<double> state = simulation.state();
+            flight.tip.push_back(state.position.at(tip.column, tip.row));
+            flight.tip_velocity.push_back(state.velocity.at(tip.column, tip.row));
+            flight.see(stretch_, batch, std::move(state), yardstick_);
+        }
+        return flight;
+    }
+
     const Scene& scene_;
     const Ground& ground_;
     Model model_;
@@ -123,6 +149,9 @@ Effect effect_of(const Scene& scene, const Ground& ground, bool only_statistics,
         const bool is_rounded = scene.time.precision != ground.variant.scene.time.precision;
         if (is_rounded) flight = flights.rounded(std::move(*flight));
         if (!flight) return fail("in float the motion does not hold at the scene's own step");
+        const bool is_unheld = scene.time.tolerance != ground.variant.scene.time.tolerance;
+        if (is_unheld) flight = flights.unheld(std::move(*flight));
+        if (!flight) return fail("without the tolerance the motion does not hold at the automatic step");
         effect.apart = flights.apart_from(ground.reference.by_rk4, *flight);
         effect.known_to = ground.reference.error() + error;
         effect.tip = statistics_of(flight->tip, flight->tip_velocity, batch_seconds);

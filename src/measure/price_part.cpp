@@ -1,6 +1,7 @@
 #include "measure/price_part.hpp"
 
 #include "io/error.hpp"
+#include "io/text.hpp"
 #include "measure/same_cloth.hpp"
 #include "scene/check.hpp"
 #include "scene/settings.hpp"
@@ -76,6 +77,7 @@ public:
             }
         });
         precision();
+        tolerance();
         grid();
         return std::move(parts_);
     }
@@ -130,6 +132,15 @@ private:
         Scene rest = scene_;
         rest.time.precision = Precision::single_precision;
         parts_.push_back(part_of("time.precision", "time.precision = \"double\" (float instead)", rest));
+    }
+
+    void tolerance() {
+        if (!scene_.time.tolerance) return;
+        Scene rest = scene_;
+        rest.time.tolerance.reset();
+        const std::string value = quantity(*scene_.time.tolerance, "m/s");
+        parts_.push_back(
+            part_of("time.tolerance", "time.tolerance = " + value + " (the automatic step alone instead)", rest));
     }
 
     void grid() {

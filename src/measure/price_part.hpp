@@ -18,8 +18,8 @@ struct ScenePart {
 };
 
 /// Of the springs each setting that may be absent; each term and limit listed, and of those with several settings each
-/// vector among others and each switch that is on; double precision (float instead); the grid (half the cells each way,
-/// the same cloth).
+/// vector among others and each switch that is on; double precision (float instead); the tolerance (the automatic step
+/// alone); the grid (half the cells each way, the same cloth).
 std::vector<ScenePart> parts_of(const Scene& scene);
 
 }  // namespace drapeau
