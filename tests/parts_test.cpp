@@ -166,9 +166,9 @@ TEST_CASE("light borders are flown in shards where they may tell why an order is
 TEST_CASE("what is measured in parts does not depend on how busy the machine is") {
     // The budget ends the search for a reference, and leaves points out.
     const std::string report = " report --set flag.columns=6 --set flag.rows=5 --settle 0 --seconds 0.2 --part part ";
-    for (const std::string& hard :
-         {"trade" + report + "--budget 0.02 --precisions double", "price" + report + "--budget 0.1",
-          "converge" + report + "--budget 0.04 --methods leapfrog,rk4,xpbd"}) {
+    for (const std::string& hard : {"trade" + report + "--budget 0.02 --precisions double",
+                                    "price" + report + "--budget 0.05 --tolerance 0.1nm --shard 1/2",
+                                    "converge" + report + "--budget 0.04 --methods leapfrog,rk4,xpbd"}) {
         INFO(hard);
         const Bench alone;
         check_done(alone.run(hard));
