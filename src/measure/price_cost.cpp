@@ -30,11 +30,11 @@ Cost first_run(Contender& contender) {
     Cost cost;
     try {
         Simulation simulation = simulation_at(contender.scene, contender.stretch);
-        const double before = processor_seconds();
+        const double before = thread_seconds();
         std::optional<Divergence> divergence;
         for (long long batch = 0; batch < contender.stretch.batches && !divergence; ++batch)
             divergence = simulation.advance_batch();
-        const double seconds = processor_seconds() - before;
+        const double seconds = thread_seconds() - before;
         if (!divergence) divergence = simulation.check();
         if (divergence)
             cost.remark = divergence->message;

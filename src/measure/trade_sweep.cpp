@@ -121,7 +121,7 @@ std::optional<std::string> TradeSweep::prepare(const Tick& tick) {
     for (const Variant& variant : variants_) {
         const bool is_scene = &variant == &variants_.front();
         grounds_.push_back(
-            ground_of(variant, is_scene ? settled : carried_over(settled, variant.scene), time, 0.0, tick));
+            ground_of(variant, is_scene ? settled : carried_over(settled, variant.scene), time, request_.enough, tick));
     }
     const Flight& flight = grounds_.front().reference.by_rk4;
     reference_tip_ = statistics_of(flight.tip, flight.tip_velocity, batch_seconds);

@@ -1,0 +1,200 @@
+#include "measuring.hpp"
+
+#include "io/error.hpp"
+#include "measure/setting_choice.hpp"
+#include "measure/trade_analysis.hpp"
+#include "run/step_aside.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <utility>
+
+namespace drapeau {
+
+namespace {
+
+constexpr double trade_budget = 20.0, price_budget = 60.0;  // s
+constexpr long long error_batches = 6;                      // of 1/60 s: a tenth of a second
+constexpr double resolved = 1e-9;                           // m
+constexpr double settle = 2.0;                              // s that the scene swings in before
+
+/// Nobody waits for what is measured any more.
+struct Abandoned {};
+
+MeasuredScene trouble(const std::string& why) {
+    MeasuredScene failed;
+    failed.trouble = why;
+    return failed;
+}
+
+MeasuredScene diverged(const std::string& how) {
+    return trouble("the scene diverges before anything can be compared: " + how);
+}
+
+/// Every point that the budget allows, then rounds of all for what they cost.
+std::vector<Measured> measured_points(const TradeSweep& sweep, double share_before, const Tick& tick) {
+    constexpr double for_errors = 0.5;  // of the time, about
+    const std::vector<std::size_t> order = sweep.cheapest_first();
+    const double all = std::max(sweep.seconds_of_points(order), 1e-9);
+    double share = share_before;
+    const auto go_on = [&](double by) { tick(share += by * (1.0 - share_before)); };
+    std::vector<Measured> points(sweep.count());
+    int rounds = 0;
+    for (const std::size_t n : order) {
+        points[n] = sweep.measure_one(n, [&](double) { tick(share); });
+        if (points[n].is_measured()) rounds += TradeSweep::rounds_of(points[n]);
+        go_on(for_errors * sweep.seconds_of_points({n}) / all);
+    }
+    std::vector<int> timed(points.size(), 0);
+    for (int done = 0; done < rounds;)
+        for (const std::size_t n : order) {
+            Measured& point = points[n];
+            if (!point.is_measured() || timed[n]++ >= TradeSweep::rounds_of(point)) continue;
+            point.ms_per_second = std::min(point.ms_per_second, sweep.time_again(point));
+            go_on((1.0 - for_errors) / rounds);
+            ++done;
+        }
+    return points;
+}
+
+MeasuredScene measured_trade(const Scene& scene, const Tick& tick) {
+    TradeRequest request;
+    request.scene = scene;
+    request.settle = settle;
+    request.batches = error_batches;
+    request.batches_are_given = true;
+    request.budget = trade_budget;
+    request.enough = resolved;
+    request.counts_work = true;  // the picture and the run take time too
+    TradeSweep sweep(request);
+    const double before = sweep.seconds_before();
+    const double share_before = before / (before + sweep.seconds_of_points(sweep.cheapest_first()));
+    if (const auto how = sweep.prepare([&](double share) { tick(share * share_before); })) return diverged(*how);
+    if (sweep.is_beyond_horizon())
+        return trouble("within a tenth of a second the motion is chaotic: no setting is nearer to it than another");
+    MeasuredTrade trade;
+    trade.scene = scene;
+    trade.since = sweep.grounds().front().stretch.time;
+    trade.seconds = sweep.grounds().front().stretch.seconds();
+    trade.points = measured_points(sweep, share_before, tick);
+    trade.front = efficient_front(trade.points);
+    trade.automatic = within_automatic_step(scene, trade.points);
+    MeasuredScene measurement;
+    measurement.trade = std::move(trade);
+    return measurement;
+}
+
+MeasuredScene measured_prices(const Scene& scene, const Tick& tick) {
+    PriceRequest request;
+    request.scene = scene;
+    request.settle = settle;
+    request.budget = price_budget;
+    PriceStudy study(request, tick);
+    if (const auto how = study.prepare()) return diverged(*how);
+    if (study.is_beyond_horizon()) return trouble("the motion is chaotic: it is another one whatever is left out");
+    Prices prices = study.measure();
+    if (prices.diverged) return diverged(*prices.diverged);
+    MeasuredPrices found;
+    found.scene = scene;
+    found.since = study.ground().stretch.time;
+    found.seconds = study.ground().stretch.seconds();
+    for (Priced& priced : prices.parts)
+        if (priced.part.impossible.empty()) found.parts.push_back(std::move(priced));
+    found.ms_per_second = prices.scene.ms_per_second;
+    found.resolution = prices.resolution;
+    MeasuredScene measurement;
+    measurement.prices = std::move(found);
+    return measurement;
+}
+
+}  // namespace
+
+Measuring::Measuring() : thread_([this](const std::stop_token& ending) { work(ending); }) {}
+
+Measuring::~Measuring() {
+    const std::lock_guard lock(mutex_);
+    abandon_.request_stop();
+    thread_.request_stop();
+}
+
+void Measuring::measure(Subject subject, const Scene& scene) {
+    {
+        const std::lock_guard lock(mutex_);
+        abandon_.request_stop();
+        ready_.reset();
+        wanted_ = Wanted{subject, scene};
+        share_ = 0.0;
+    }
+    begun_.notify_one();
+}
+
+void Measuring::stop() {
+    const std::lock_guard lock(mutex_);
+    abandon_.request_stop();
+    wanted_.reset();
+}
+
+std::optional<Measuring::Subject> Measuring::under_way() const {
+    const std::lock_guard lock(mutex_);
+    if (wanted_) return wanted_->subject;
+    return now_ && !abandon_.stop_requested() ? now_ : std::nullopt;
+}
+
+double Measuring::share() const {
+    const std::lock_guard lock(mutex_);
+    return share_;
+}
+
+std::optional<MeasuredScene> Measuring::take() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(ready_, std::nullopt);
+}
+
+void Measuring::wait() {
+    std::unique_lock lock(mutex_);
+    finished_.wait(lock, [this] { return !wanted_ && !now_; });
+}
+
+Tick Measuring::tick(const std::stop_token& stop) {
+    return [this, stop](double share) {
+        if (stop.stop_requested()) throw Abandoned{};
+        const std::lock_guard lock(mutex_);
+        share_ = std::max(share_, share);
+    };
+}
+
+MeasuredScene Measuring::measured(const Wanted& wanted, const std::stop_token& stop) {
+    try {
+        return wanted.subject == Subject::trade ? measured_trade(wanted.scene, tick(stop))
+                                                : measured_prices(wanted.scene, tick(stop));
+    } catch (const std::bad_alloc&) {
+        return trouble("not enough memory");
+    } catch (const std::exception& wrong) {
+        return trouble(wrong.what());
+    }
+}
+
+void Measuring::work(const std::stop_token& ending) {
+    step_aside(3);  // somebody waits for it
+    std::unique_lock lock(mutex_);
+    while (begun_.wait(lock, ending, [this] { return wanted_.has_value(); }) && !ending.stop_requested()) {
+        const Wanted wanted = *std::exchange(wanted_, std::nullopt);
+        now_ = wanted.subject;
+        abandon_ = {};
+        share_ = 0.0;
+        const std::stop_token stop = abandon_.get_token();
+        lock.unlock();
+        std::optional<MeasuredScene> found;
+        try {
+            found = measured(wanted, stop);
+        } catch (const Abandoned&) {
+        }
+        lock.lock();
+        now_.reset();
+        if (found && !stop.stop_requested()) ready_ = std::move(found);
+        finished_.notify_all();
+    }
+}
+
+}  // namespace drapeau
