@@ -21,7 +21,7 @@ struct TradeRequest {
     bool batches_are_given = false;
     double budget = 120.0;            // s of time on the wall
     std::optional<double> tolerance;  // m
-    double enough = 0.0;  // m: no better reference is wanted, root mean square
+    double enough = 0.0;              // m: no better reference is wanted, root mean square
     // The budget is of work, counted at a fixed rate instead of timed: what is measured is the same wherever and
     // however often it is done.
     bool counts_work = false;

@@ -1,6 +1,8 @@
 #include "measuring.hpp"
 
 #include "io/error.hpp"
+#include "io/text.hpp"
+#include "measure/budget.hpp"
 #include "measure/setting_choice.hpp"
 #include "measure/trade_analysis.hpp"
 #include "run/step_aside.hpp"
@@ -14,10 +16,11 @@ namespace drapeau {
 
 namespace {
 
-constexpr double trade_budget = 20.0, price_budget = 60.0;  // s
-constexpr long long error_batches = 6;                      // of 1/60 s: a tenth of a second
-constexpr double resolved = 1e-9;                           // m
-constexpr double settle = 2.0;                              // s that the scene swings in before
+constexpr double budget = 60.0;         // s
+constexpr double for_points = 5.0;      // s of those, of points: the dear ones are left out
+constexpr long long error_batches = 6;  // of 1/60 s: a tenth of a second
+constexpr double resolved = 1e-9;       // m
+constexpr double settle = 2.0;          // s that the scene swings in before
 
 /// Nobody waits for what is measured any more.
 struct Abandoned {};
@@ -32,14 +35,27 @@ MeasuredScene diverged(const std::string& how) {
     return trouble("the scene diverges before anything can be compared: " + how);
 }
 
-/// Every point that the budget allows, then rounds of all for what they cost.
-std::vector<Measured> measured_points(const TradeSweep& sweep, double share_before, const Tick& tick) {
+/// The points that there is time for, the cheapest first.
+std::vector<std::size_t> affordable(const TradeSweep& sweep) {
+    std::vector<std::size_t> places;
+    double seconds = 0.0;
+    for (const std::size_t n : sweep.cheapest_first()) {
+        seconds += sweep.seconds_of_points({n});
+        if (seconds > for_points && !places.empty()) break;
+        places.push_back(n);
+    }
+    return places;
+}
+
+/// Their errors, then rounds of all of them for what they cost.
+std::vector<Measured> measured_points(const TradeSweep& sweep, const std::vector<std::size_t>& order,
+                                      double share_before, const Tick& tick) {
     constexpr double for_errors = 0.5;  // of the time, about
-    const std::vector<std::size_t> order = sweep.cheapest_first();
     const double all = std::max(sweep.seconds_of_points(order), 1e-9);
     double share = share_before;
     const auto go_on = [&](double by) { tick(share += by * (1.0 - share_before)); };
     std::vector<Measured> points(sweep.count());
+    for (std::size_t n = 0; n < points.size(); ++n) points[n].point = sweep.point(n);
     int rounds = 0;
     for (const std::size_t n : order) {
         points[n] = sweep.measure_one(n, [&](double) { tick(share); });
@@ -64,12 +80,13 @@ MeasuredScene measured_trade(const Scene& scene, const Tick& tick) {
     request.settle = settle;
     request.batches = error_batches;
     request.batches_are_given = true;
-    request.budget = trade_budget;
+    request.budget = budget;
     request.enough = resolved;
     request.counts_work = true;  // the picture and the run take time too
     TradeSweep sweep(request);
+    const std::vector<std::size_t> places = affordable(sweep);
     const double before = sweep.seconds_before();
-    const double share_before = before / (before + sweep.seconds_of_points(sweep.cheapest_first()));
+    const double share_before = before / (before + sweep.seconds_of_points(places));
     if (const auto how = sweep.prepare([&](double share) { tick(share * share_before); })) return diverged(*how);
     if (sweep.is_beyond_horizon())
         return trouble("within a tenth of a second the motion is chaotic: no setting is nearer to it than another");
@@ -77,7 +94,7 @@ MeasuredScene measured_trade(const Scene& scene, const Tick& tick) {
     trade.scene = scene;
     trade.since = sweep.grounds().front().stretch.time;
     trade.seconds = sweep.grounds().front().stretch.seconds();
-    trade.points = measured_points(sweep, share_before, tick);
+    trade.points = measured_points(sweep, places, share_before, tick);
     trade.front = efficient_front(trade.points);
     trade.automatic = within_automatic_step(scene, trade.points);
     MeasuredScene measurement;
@@ -89,7 +106,7 @@ MeasuredScene measured_prices(const Scene& scene, const Tick& tick) {
     PriceRequest request;
     request.scene = scene;
     request.settle = settle;
-    request.budget = price_budget;
+    request.budget = budget;
     PriceStudy study(request, tick);
     if (const auto how = study.prepare()) return diverged(*how);
     if (study.is_beyond_horizon()) return trouble("the motion is chaotic: it is another one whatever is left out");
@@ -168,6 +185,9 @@ MeasuredScene Measuring::measured(const Wanted& wanted, const std::stop_token& s
     try {
         return wanted.subject == Subject::trade ? measured_trade(wanted.scene, tick(stop))
                                                 : measured_prices(wanted.scene, tick(stop));
+    } catch (const BudgetError& wrong) {
+        return trouble("swinging in alone would take about " + quantity(wrong.least(), "s", 2) +
+                       "; a coarser grid takes less, and drapeau-lab as long as it is given");
     } catch (const std::bad_alloc&) {
         return trouble("not enough memory");
     } catch (const std::exception& wrong) {

@@ -58,7 +58,8 @@ void edit_accuracy(AppState& app, Widgets& widgets) {
     if (widgets.term("Accuracy", findings.accuracy, scale_of(row.about, row.control), none, usual, "as set",
                      "The error that may be made in a second of simulated time. The program picks the method and the "
                      "precision that cost least for it, among all that it measured, and follows it with the step. "
-                     "A method or a step set by hand ends that.")) {
+                     "A method or a step set by hand ends that.",
+                     "On: the program picks the method and the step. Off: they are as the page Time says.")) {
         if (findings.accuracy) {
             set_time(app, settings_for(*findings.accuracy, app.scene, findings));
             const bool known = findings.trade && holds_for(findings.trade->scene, app.scene);
@@ -143,9 +144,10 @@ void draw_price_rows(AppState& app, Widgets& widgets) {
     const bool is_of = are_of(findings, app.scene);
     if (!ImGui::BeginTable("prices", 3, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings)) return;
     ImGui::TableSetupColumn("part", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("cost");
-    ImGui::TableSetupColumn("effect");
-    ImGui::TableHeadersRow();
+    for (const char* title : {"part", "cost", "effect"}) {
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("%s", title);
+    }
     if (!is_of) ImGui::BeginDisabled();
     for (const Priced& priced : prices.parts) {
         const std::string& key = priced.part.key;

@@ -141,13 +141,14 @@ bool Widgets::slider(const char* label, int& value, int low, int high, int origi
 }
 
 bool Widgets::term(const char* label, std::optional<double>& value, const SliderScale& scale,
-                   const std::optional<double>& origin, double usual, const std::string& absent, const char* tip_text) {
+                   const std::optional<double>& origin, double usual, const std::string& absent, const char* tip_text,
+                   const char* switch_tip) {
     ImGui::PushID(label);
     begin_row(label, value.has_value());
     bool on = value.has_value();
     bool changed = ImGui::Checkbox("##on", &on);
     note((std::string(label) + " on").c_str(), on ? "1" : "0");
-    tip("On or off. What is off is not computed and costs nothing.");
+    tip(switch_tip);
     if (changed) value = on ? std::optional(origin.value_or(usual)) : std::nullopt;
     ImGui::SameLine();
     ImGui::SetNextItemWidth(control_width());

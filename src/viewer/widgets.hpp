@@ -27,9 +27,10 @@ public:
     bool slider(const char* label, int& value, int low, int high, int origin, const char* tip);
 
     /// A number that may be missing: a switch and a slider, or the word `absent`. Switched on, it is `origin` or else
-    /// `usual`.
+    /// `usual`. `switch_tip`: of the switch.
     bool term(const char* label, std::optional<double>& value, const SliderScale& scale,
-              const std::optional<double>& origin, double usual, const std::string& absent, const char* tip);
+              const std::optional<double>& origin, double usual, const std::string& absent, const char* tip,
+              const char* switch_tip = "On or off. What is off is not computed and costs nothing.");
 
     /// `shown`: what stands beside it instead of its label.
     bool toggle(const char* label, bool& value, const char* tip, const char* shown = nullptr);
