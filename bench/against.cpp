@@ -2,10 +2,10 @@
 
 #include "child.hpp"
 #include "compare.hpp"
-#include "median_interval.hpp"
 
 #include "io/error.hpp"
 #include "io/text.hpp"
+#include "measure/median_interval.hpp"
 
 #include <algorithm>
 #include <chrono>

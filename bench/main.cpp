@@ -3,12 +3,12 @@
 #include "against.hpp"
 #include "compare.hpp"
 #include "measure.hpp"
-#include "median_interval.hpp"
 #include "peers.hpp"
 
 #include "io/error.hpp"
 #include "io/output_file.hpp"
 #include "io/text.hpp"
+#include "measure/median_interval.hpp"
 
 #include <CLI/CLI.hpp>
 #include <benchmark/benchmark.h>

@@ -1,4 +1,4 @@
-#include "median_interval.hpp"
+#include "measure/median_interval.hpp"
 
 #include "catch.hpp"
 
@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-using namespace drapeau::bench;
+using namespace drapeau;
 
 namespace {
 

@@ -122,6 +122,10 @@ std::string quantity(double value, std::string_view unit, int digits) {
     return fmt::format("{:.{}g} {}{}", shown, std::max(digits, whole), prefix, unit);
 }
 
+std::string counted(std::size_t count, std::string_view thing) {
+    return std::to_string(count) + " " + std::string(thing) + (count == 1 ? "" : "s");
+}
+
 std::optional<double> number_in(std::string_view text) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -2,6 +2,7 @@
 // name. Nothing here depends on the locale.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,9 @@ std::string rounded(double value, int digits);
 
 /// A quantity for a person, in the multiple of its unit that suits its size: "84.1 ns", "201 µs", "86.2 kJ".
 std::string quantity(double value, std::string_view unit, int digits = 3);
+
+/// So many things: "1 point", "12 points".
+std::string counted(std::size_t count, std::string_view thing);
 
 /// The whole text as one finite number; nothing if it is not one.
 std::optional<double> number_in(std::string_view text);

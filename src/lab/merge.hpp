@@ -18,6 +18,8 @@ int merge(const MergeOptions& options);
 
 // What each command makes of its own parts, outputs having been checked.
 int merge_trade(const Joined& joined, const MergeOptions& options);
+int merge_price(const Joined& joined, const MergeOptions& options);
+int merge_converge(const Joined& joined, const MergeOptions& options);
 int merge_stability(const Joined& joined, const MergeOptions& options);
 
 }  // namespace drapeau::lab

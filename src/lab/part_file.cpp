@@ -89,9 +89,9 @@ std::vector<NamedFile> with_part(std::vector<NamedFile> outputs, const PartOptio
 }
 
 int say_shard_is_done(const Part& part) {
-    const std::string text = "shard " + part.shard.text() + " is done: " + std::to_string(part.points.size()) +
-                             " points in " + one_line(part.file, 1000) + "; when all " +
-                             std::to_string(part.shard.count) + " are, drapeau-lab merge joins them\n";
+    const std::string text = "shard " + part.shard.text() + " is done: " + counted(part.points.size(), "point") +
+                             " in " + one_line(part.file, 1000) + "; when all " + std::to_string(part.shard.count) +
+                             " are, drapeau-lab merge joins them\n";
     std::fputs(text.c_str(), stdout);
     return exit_good;
 }
@@ -154,12 +154,12 @@ void PartFile::add(const std::string& key, const Json& cost, const Json& result)
     append(point_line(key, cost, result));
     PointRecord& point = part_.points[key];
     point.result = Json::parse(result.dump());
-    if (!cost.is_null()) point.costs.push_back(Json::parse(cost.dump()));
+    if (!cost.is_null()) point.costs.push_back({Json::parse(cost.dump())});
 }
 
 void PartFile::add_cost(const std::string& key, const Json& cost) {
     append(point_line(key, cost));
-    part_.points.at(key).costs.push_back(Json::parse(cost.dump()));
+    part_.points.at(key).costs.push_back({Json::parse(cost.dump())});
 }
 
 }  // namespace drapeau::lab

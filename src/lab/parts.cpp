@@ -49,6 +49,7 @@ void read_record(Part& part, const std::string& line, std::size_t number) {
     const bool is_point = json.is_object() && json.contains("point") && json["point"].is_string();
     if (is_basis) {
         part.basis = json["basis"];
+        part.basis_place = {part.file, number};
         return;
     }
     if (!is_point) fail_in(part.file, number, "no record of a sweep");
@@ -57,8 +58,20 @@ void read_record(Part& part, const std::string& line, std::size_t number) {
     if (is_new && !has_result) fail_in(part.file, number, "a cost of a point that is not done, " + in_quotes(key));
     if (!is_new && has_result) fail_in(part.file, number, "a point that is done already, " + in_quotes(key));
     PointRecord& point = part.points[key];
-    if (has_result) point = {json["result"], {}, part.file, number};
-    if (json.contains("cost")) point.costs.push_back(json["cost"]);
+    if (has_result) point = {json["result"], {}, {part.file, number}};
+    if (json.contains("cost")) point.costs.push_back({json["cost"], {part.file, number}});
+}
+
+/// Calls read(); where that throws, as records of the wrong form make it, the line is at fault.
+template <class Read>
+void read_in(const RecordPlace& place, const std::string& fault, const Read& read) {
+    try {
+        read();
+    } catch (const Json::exception&) {
+        fail_in(place.file, place.line, fault);
+    } catch (const std::out_of_range&) {
+        fail_in(place.file, place.line, fault);
+    }
 }
 
 std::string named(const Part& part) {
@@ -103,7 +116,8 @@ void take(Part& all, const Part& part) {
         const auto [known, is_new] = all.points.try_emplace(key, point);
         if (is_new) continue;
         if (known->second.result != point.result)
-            fail_in(part.file, point.line, "another result for " + in_quotes(key) + " than in the parts before");
+            fail_in(point.place.file, point.place.line,
+                    "another result for " + in_quotes(key) + " than in the parts before");
         known->second.costs.insert(known->second.costs.end(), point.costs.begin(), point.costs.end());
     }
 }
@@ -151,26 +165,27 @@ std::optional<std::string> difference(const SweepIdentity& there, const SweepIde
     return {};
 }
 
+void use_options(const SweepIdentity& sweep, const std::function<void(const Json&)>& read) {
+    try {
+        read(sweep.options);
+    } catch (const Json::exception&) {
+        throw InputError("the parts do not say with which options their sweep was made");
+    }
+}
+
 void use_point(const Part& part, const std::string& key, const std::function<void(const PointRecord&)>& read) {
     const PointRecord& point = part.points.at(key);
-    try {
-        read(point);
-    } catch (const Json::exception&) {
-        fail_in(point.file, point.line, "no result of this sweep");
-    } catch (const std::out_of_range&) {
-        fail_in(point.file, point.line, "no result of this sweep");
-    }
+    read_in(point.place, "no result of this sweep", [&] { read(point); });
+}
+
+void use_costs(const PointRecord& point, const std::function<void(const Json&)>& read) {
+    for (const CostRecord& record : point.costs)
+        read_in(record.place, "no cost of this sweep", [&] { read(record.cost); });
 }
 
 void use_basis(const Part& part, const std::function<void(const Json&)>& read) {
     if (part.basis.is_null()) fail(part.file, "it does not say yet what points are judged by");
-    try {
-        read(part.basis);
-    } catch (const Json::exception&) {
-        fail(part.file, "what it says points are judged by is nothing of this sweep");
-    } catch (const std::out_of_range&) {
-        fail(part.file, "what it says points are judged by is nothing of this sweep");
-    }
+    read_in(part.basis_place, "what it says points are judged by is nothing of this sweep", [&] { read(part.basis); });
 }
 
 Part read_part(const std::string& file) {
@@ -234,8 +249,8 @@ std::optional<std::string> Joined::missing(const std::vector<std::string>& keys)
             unfinished += fmt::format("; shard {} lacks {}, its command with --resume goes on with {}", shard.text(),
                                       of_it, named(*part));
     }
-    return fmt::format("{} of {} points are missing, {} for one{}{}", count, keys.size(), in_quotes(*first),
-                       absent_text(absent), unfinished);
+    return fmt::format("{} of {} {} missing, {} for one{}{}", count, counted(keys.size(), "point"),
+                       count == 1 ? "is" : "are", in_quotes(*first), absent_text(absent), unfinished);
 }
 
 Joined join(const std::vector<std::string>& files) {
@@ -255,7 +270,7 @@ Joined join(const std::vector<std::string>& files) {
             joined.remark = "costs were measured on different processors: compare them with care";
         take(joined.all, part);
         Json& basis = joined.all.basis;
-        if (basis.is_null()) basis = part.basis;
+        if (basis.is_null()) basis = part.basis, joined.all.basis_place = part.basis_place;
         if (basis == part.basis || part.basis.is_null()) continue;
         if (part.machine == first.machine)
             refused("on the same processor its reference came out otherwise: it was made by another build");

@@ -13,6 +13,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,13 @@ using Json = nlohmann::ordered_json;
 struct Shard {
     std::size_t place = 1, count = 1;
 
-    bool has(std::size_t point) const { return point % count == place - 1; }
     bool is_whole() const { return count == 1; }
+    /// Those of so many points that it takes.
+    std::vector<std::size_t> places(std::size_t points) const {
+        std::vector<std::size_t> all;
+        for (std::size_t n = place - 1; n < points; n += count) all.push_back(n);
+        return all;
+    }
     std::string text() const { return std::to_string(place) + "/" + std::to_string(count); }
     bool operator==(const Shard&) const = default;
 };
@@ -41,29 +47,65 @@ struct SweepIdentity {
     Json options;         // what other options say, by their names: texts, or true and false
 };
 
+/// An option whose text belongs to the identity.
+template <class Options>
+struct TextOption {
+    const char* name;
+    std::string Options::*text;
+};
+
+template <class Options>
+Json texts_json(const Options& options, std::span<const TextOption<Options>> texts) {
+    Json json = Json::object();
+    for (const TextOption<Options>& option : texts) json[option.name] = options.*option.text;
+    return json;
+}
+/// Throws Json::exception.
+template <class Options>
+void read_texts(const Json& json, Options& options, std::span<const TextOption<Options>> texts) {
+    for (const TextOption<Options>& option : texts)
+        options.*option.text = json.at(option.name).template get<std::string>();
+}
+
+/// Calls read(options) of what a sweep's identity says. Throws InputError where that throws, as other options do.
+void use_options(const SweepIdentity& sweep, const std::function<void(const Json&)>& read);
+
 /// The first thing in which two differ, as a person would say it: "--settle is 1 there and 2 here". Nothing if they are
 /// of one sweep.
 std::optional<std::string> difference(const SweepIdentity& there, const SweepIdentity& here);
 
+/// A line of a part file.
+struct RecordPlace {
+    std::string file{};
+    std::size_t line = 0;
+};
+
+struct CostRecord {
+    Json cost;
+    RecordPlace place{};
+};
+
 struct PointRecord {
     Json result;
-    std::vector<Json> costs;
-    std::string file{};  // where it is from
-    std::size_t line = 0;
+    std::vector<CostRecord> costs;
+    RecordPlace place{};
 };
 
 struct Part {
     std::string file;
     SweepIdentity sweep;
     Shard shard;
-    Json machine;                               // what measured it
-    Json basis;                                 // null until it is known
+    Json machine;  // what measured it
+    Json basis;    // null until it is known
+    RecordPlace basis_place;
     std::map<std::string, PointRecord> points;  // by their keys
     std::size_t whole_bytes = 0;                // of the lines that count
 };
 
 /// Calls read(point). Throws InputError that names file and line where that throws, as records of the wrong form do.
 void use_point(const Part& part, const std::string& key, const std::function<void(const PointRecord&)>& read);
+/// The same of each of its costs, whose lines are named.
+void use_costs(const PointRecord& point, const std::function<void(const Json&)>& read);
 /// The same of what points are judged by.
 void use_basis(const Part& part, const std::function<void(const Json&)>& read);
 

@@ -1,94 +1,158 @@
 #include "price.hpp"
 
-#include "commands.hpp"
-
+#include "exit_status.hpp"
+#include "gnuplot.hpp"
 #include "io/error.hpp"
 #include "io/terminal.hpp"
 #include "io/text.hpp"
 #include "io/text_file.hpp"
+#include "merge.hpp"
 #include "outputs.hpp"
-#include "progress.hpp"
-#include "exit_status.hpp"
-#include "gnuplot.hpp"
 #include "price_plot.hpp"
+#include "price_records.hpp"
 #include "price_report.hpp"
-#include "report_text.hpp"
+#include "program.hpp"
+#include "progress.hpp"
 #include "scene/file.hpp"
 #include "shared_options.hpp"
-
-#include "drapeau/stability.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 
 namespace drapeau::lab {
 
 namespace {
 
-std::vector<NamedFile> outputs_of(const PriceOptions& options) {
-    return asked_for({{"--write", options.write}, {"--json", options.json}, {"--plot", options.plot}});
+struct Outputs {
+    std::string json, write, plot;     // "" writes none
+    std::filesystem::path scene_file;  // beside which the scene's image is; "" where that is not known
+
+    std::vector<NamedFile> files() const { return asked_for({{"--write", write}, {"--json", json}, {"--plot", plot}}); }
+};
+
+/// What a study says of how far it is, once a bar of progress is there.
+struct Teller {
+    std::optional<Progress> progress;
+    PriceStudy::Tick tick = [this](double share) {
+        if (progress) progress->show(share);
+    };
+};
+
+/// Nothing, once the reference is flown; or the exit status.
+std::optional<int> prepared(PriceStudy& study, const PriceOptions& options, Teller& teller, std::size_t parts) {
+    teller.progress.emplace();
+    if (const auto how = study.prepare(parts)) {
+        teller.progress.reset();
+        complain(program, "the scene diverges " + *how);
+        return exit_diverged;
+    }
+    check_tolerance(options, study.ground().stretch.seconds(), study.horizon());
+    return {};
 }
 
-PriceRequest request_in(const PriceOptions& options) {
+/// What follows from the parts: with a tolerance the scene that is left. Prints and writes all; the exit status.
+int report(PriceStudy& study, const Prices& prices, const Outputs& outputs, Teller& teller) {
+    std::optional<Reduction> reduction;
+    if (study.request().tolerance) reduction = study.reduce(prices);
+    teller.progress.reset();
+
+    std::FILE* table = place_of_table(outputs.files());
+    std::fputs((compared_text(study) + "\n" + parts_table(study, prices)).c_str(), table);
+    if (reduction) std::fputs(("\n" + reduction_text(study, *reduction)).c_str(), table);
+    if (!outputs.json.empty())
+        write_text_file(outputs.json,
+                        [&](const Append& append) { append(as_json(study, prices, reduction).dump(2) + "\n"); });
+    if (!outputs.plot.empty()) plot(outputs.plot, price_script(study, prices));
+    if (!reduction) return exit_good;
+    if (!holds(study, *reduction)) return exit_not_met;
+    if (!outputs.write.empty())
+        write_text_file(outputs.write,
+                        [&](const Append& append) { append(reduced_text(study, *reduction, outputs.scene_file)); });
+    return exit_good;
+}
+
+int at_once(const PriceOptions& options, const PriceRequest& request, const Outputs& outputs) {
+    Teller teller;
+    PriceStudy study(request, teller.tick);
+    complain(program, fmt::format("{}, about {}, at most {}", counted(study.parts().size(), "part"),
+                                  duration(study.estimate()), duration(request.budget)));
+    if (const auto status = prepared(study, options, teller, study.parts().size())) return *status;
+    return report(study, study.measure(), outputs, teller);
+}
+
+/// Measures those parts of the scene that the file lacks, then times all that it has no time of.
+void measure_shard(PriceStudy& study, const std::vector<std::size_t>& places, PartFile& file) {
+    std::vector<std::size_t> untimed;
+    for (const std::size_t n : places) {
+        const std::string& key = study.parts()[n].key;
+        if (!file.has(key)) file.add(key, nullptr, result_json(study.measure_one(n)));
+        if (file.part().points.at(key).costs.empty()) untimed.push_back(n);
+    }
+    if (untimed.empty()) return;
+    const std::vector<PartCost> costs = study.time(untimed);
+    for (std::size_t n = 0; n < untimed.size(); ++n) file.add_cost(study.parts()[untimed[n]].key, cost_json(costs[n]));
+}
+
+/// A study, or a shard of one, whose parts are kept as they are done. The whole ends as one at once does.
+int in_parts(const PriceOptions& options, const PriceRequest& request, const Outputs& outputs, const Shard& shard) {
+    Teller teller;
+    PriceStudy study(request, teller.tick);
+    PartFile file(options.part, identity_of(options, request), shard);
+    const std::vector<std::size_t> places = shard.places(study.parts().size());
+    std::size_t missing = 0;
+    for (const std::size_t n : places) missing += !file.has(study.parts()[n].key);
+    complain(program, fmt::format("shard {}: {} of {}, {} of them done, about {}", shard.text(), places.size(),
+                                  counted(study.parts().size(), "part"), places.size() - missing,
+                                  duration(study.seconds_for(missing))));
+    if (const auto status = prepared(study, options, teller, missing)) return *status;
+    file.set_basis(basis_json(study));
+    measure_shard(study, places, file);
+    if (shard.is_whole()) return report(study, prices_in(file.part(), study), outputs, teller);
+    teller.progress.reset();
+    return say_shard_is_done(file.part());
+}
+
+PriceRequest request_in(const PriceOptions& options, const Scene& scene) {
     PriceRequest request;
-    request.batches_are_given = !options.seconds.empty();
-    if (request.batches_are_given) request.batches = batches_option("--seconds", options.seconds, 1);
-    request.settle = static_cast<double>(batches_option("--settle", options.settle, 0)) * batch_seconds;
-    request.budget = budget_option(options.budget);
-    if (!options.tolerance.empty()) request.tolerance = distance_in("--tolerance", options.tolerance);
-    if (!options.write.empty() && !request.tolerance)
-        throw InputError("--write: it saves the scene that --tolerance leaves; give --tolerance too");
-    request.scene = scene_in(options.scene, options.set);
+    read_comparison(options, request);
+    request.scene = scene;
     return request;
 }
 
 }  // namespace
 
 int price(const PriceOptions& options) {
-    const PriceRequest request = request_in(options);
-    const std::filesystem::path file = find_scene(options.scene);
-    check_outputs({{"the scene", file.string()}}, outputs_of(options));
+    PriceRequest request = request_in(options, Scene{});
+    if (!options.write.empty() && !request.tolerance)
+        throw InputError("--write: it saves the scene that --tolerance leaves; give --tolerance too");
+    request.scene = scene_in(options.scene, options.set);
+    const Outputs outputs{options.json, options.write, options.plot, find_scene(options.scene)};
+    const Shard shard = shard_of(options.part, outputs.files());
+    check_outputs({{"the scene", outputs.scene_file.string()}}, with_part(outputs.files(), options.part));
     check_plot("--plot", options.plot);
+    return request.counts_work ? in_parts(options, request, outputs, shard) : at_once(options, request, outputs);
+}
 
-    std::optional<Progress> progress;
-    PriceStudy study(request, [&](double share) {
-        if (progress) progress->show(share);
-    });
-    complain(program, fmt::format("{} parts, about {}, at most {}", study.parts().size(), duration(study.estimate()),
-                                  duration(request.budget)));
-    progress.emplace();
-    const auto diverged = [&](const std::string& when, const std::string& how) {
-        progress.reset();
-        complain(program, "the scene diverges " + when + ": " + how);
-        return exit_diverged;
-    };
-    if (const auto how = study.prepare()) return diverged("while it swings in, at rk4's automatic step", *how);
-    if (request.tolerance && study.is_beyond_horizon()) {
-        progress.reset();
-        throw InputError("--tolerance = " + one_line(options.tolerance, 60) + ": within " +
-                         quantity(study.ground().stretch.seconds(), "s") +
-                         " the motion is chaotic: a nanometre becomes as much in " + quantity(study.horizon(), "s", 2) +
-                         "; compare no more --seconds than that");
+int merge_price(const Joined& joined, const MergeOptions& merging) {
+    const PriceOptions options = options_of_price(joined.all.sweep);
+    PriceRequest request = request_in(options, parse_scene(joined.all.sweep.scene, joined.all.file + ", its scene"));
+    request.counts_work = true;
+    if (!merging.write.empty() && !request.tolerance)
+        throw InputError("--write: it saves the scene for a tolerance, and the sweep was made without --tolerance");
+    Teller teller;
+    PriceStudy study(request, teller.tick);
+    if (const auto missing = joined.missing(keys_of(study))) {
+        complain(program, *missing);
+        return exit_not_met;
     }
-    const Prices prices = study.measure();
-    if (prices.diverged) return diverged("in the time compared, at its own step", *prices.diverged);
-    std::optional<Reduction> reduction;
-    if (request.tolerance) reduction = study.reduce(prices);
-    progress.reset();
-
-    std::FILE* table = place_of_table(outputs_of(options));
-    std::fputs((compared_text(study) + "\n" + parts_table(study, prices)).c_str(), table);
-    if (reduction) std::fputs(("\n" + reduction_text(study, prices, *reduction)).c_str(), table);
-    if (!options.json.empty())
-        write_text_file(options.json,
-                        [&](const Append& append) { append(as_json(study, prices, reduction).dump(2) + "\n"); });
-    if (!options.plot.empty()) plot(options.plot, price_script(study, prices));
-    if (!reduction) return exit_good;
-    if (!holds(study, *reduction)) return exit_not_met;
-    if (!options.write.empty())
-        write_text_file(options.write, [&](const Append& append) { append(reduced_text(study, *reduction, file)); });
-    return exit_good;
+    // What is left out is looked for beside the reference, of which parts keep too little.
+    if (!request.tolerance)
+        use_basis(joined.all, [&](const Json& basis) { restore(study, basis); });
+    else if (const auto status = prepared(study, options, teller, 0))
+        return *status;
+    return report(study, prices_in(joined.all, study), {merging.json, merging.write, merging.plot, {}}, teller);
 }
 
 }  // namespace drapeau::lab

@@ -2,19 +2,14 @@
 // that stays within a tolerance.
 #pragma once
 
+#include "comparison_options.hpp"
+
 #include <string>
-#include <vector>
 
 namespace drapeau::lab {
 
-struct PriceOptions {
-    std::string scene;             // a path or the name of a shipped scene
-    std::vector<std::string> set;  // "KEY=VALUE", instead of what the scene says
-    std::string settle = "2";      // s
-    std::string seconds;           // s; "" is 0.5, or less where the motion is chaotic
-    std::string budget = "2";      // minutes
-    std::string tolerance;         // "1mm"; "" leaves nothing out
-    std::string write;             // files to write; "" writes none
+struct PriceOptions : ComparisonOptions {
+    std::string write;  // files to write; "" writes none
     std::string json;
     std::string plot;  // a picture, .svg or .png; "" draws none
 };

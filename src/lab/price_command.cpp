@@ -20,9 +20,14 @@ constexpr const char* price_notes =
     "over it, and the greatest of any mass. Past the time in which a nanometre becomes a millimetre, or --tolerance,\n"
     "the statistics of the fly end's middle are compared instead.\n"
     "Cost: processor time of the scene as given, with its own method, precision and step, less that without the part,\n"
-    "in percent of the first. A given step is rounded to a whole part of 1/60 s, as in the window; time.tolerance is\n"
-    "not followed. Each is the least of several runs that take turns. An automatic step may be larger or\n"
-    "smaller without a part: costs are given with that step and at the scene's own.\n\n"
+    "in percent of the first. A given step is rounded to a whole part of 1/60 s, as in the window. All take turns\n"
+    "in many rounds; a cost is the median of what the rounds say, and behind it stands what covers the true one with\n"
+    "95 %. An automatic step may be larger or smaller without a part: costs are given with that step and at the "
+    "scene's\n"
+    "own. Without time.tolerance it is the automatic step alone; its effect is what that changes of the scene's own "
+    "run.\n\n"
+    "With --part each part of the scene is kept as soon as it is measured, and --budget is work of the whole study at\n"
+    "4 ns for a step of one mass, not time. The scene as given is timed in every shard, beside the parts it prices.\n\n"
     "--tolerance leaves out one part after the other, the least effect first, as long as all of it together stays\n"
     "within that distance and each saves time that can be measured; then what is left is looked at in the time that\n"
     "follows, and checked and timed in the time after that. It is known to hold for as long, from states of the scene "
@@ -38,14 +43,7 @@ Job add_price(CLI::App& command) {
     PriceOptions& options = *given;
     command.footer(price_notes);
     add_scene(command, options.scene);
-    add_assignments(command, options.set);
-    command.add_option("--settle", options.settle, "Time to swing in before, s (2)")->type_name("T");
-    command
-        .add_option("--seconds", options.seconds, "Time compared, s (0.5, or half the chaos horizon if that is less)")
-        ->type_name("T");
-    command.add_option("--budget", options.budget, "Time it may take, minutes (2)")->type_name("MINUTES");
-    command.add_option("--tolerance", options.tolerance, "Leave out what changes less than this distance, such as 1mm")
-        ->type_name("DISTANCE");
+    add_comparison_options(command, options, "Leave out what changes less than this distance, such as 1mm");
     take_as_path(command.add_option("--write", options.write, "Save the scene that is left, if its check holds")
                      ->type_name("FILE.toml"));
     take_as_path(command.add_option("--json", options.json, "Write the results as one JSON object")->type_name("FILE"));

@@ -26,14 +26,15 @@ struct Bar {
 std::vector<Bar> bars_of(const PriceStudy& study, const Prices& prices) {
     std::vector<Bar> bars;
     for (const Priced& one : prices.parts) {
-        if (!std::isfinite(one.cost) && !one.effect.is_measured) continue;
+        if (!std::isfinite(one.cost.own.value) && !one.effect.is_measured) continue;
         std::string name = one.part.key == "flag" ? "half the grid" : one.part.key;
         for (const std::string& table : one.part.also) name += " and " + table;
         const double effect = !one.effect.is_measured     ? NAN
                               : study.is_beyond_horizon() ? standard_errors_apart(one.effect.tip, study.reference_tip())
                                                           : one.effect.apart.at_end;
-        const bool is_resolved = std::abs(one.cost) >= prices.resolution;
-        bars.push_back({name, is_resolved ? 100.0 * one.cost : NAN, is_resolved ? NAN : 100.0 * one.cost, effect});
+        const double cost = 100.0 * one.cost.own.value;
+        const bool is_resolved = one.cost.own.is_resolved();
+        bars.push_back({name, is_resolved ? cost : NAN, is_resolved ? NAN : cost, effect});
     }
     const auto cost_of = [](const Bar& bar) {
         return std::isfinite(bar.cost) ? bar.cost : std::isfinite(bar.faint_cost) ? 0.0 : -INFINITY;
@@ -56,13 +57,12 @@ std::string bars_curve(const std::string& name, const std::string& from, double 
         opacity, colour);
 }
 
-std::string cost_panel(const std::vector<Bar>& bars, double resolution) {
+std::string cost_panel(const std::vector<Bar>& bars) {
     double least = 0.0, most = 1.0;
     for (const Bar& bar : bars)
         for (const double cost : {bar.cost, bar.faint_cost})
             if (std::isfinite(cost)) least = std::min(least, cost), most = std::max(most, cost);
-    const std::string pale =
-        "share of the processor time in %\n(pale: below " + rounded(100.0 * resolution, 2) + " %, not resolved)";
+    const std::string pale = "share of the processor time in %\n(pale: less than it is known to)";
     return fmt::format("set xlabel {}\nset xrange [{}:{}]\n", plot_text(pale), plot_number(1.1 * least),
                        plot_number(1.1 * most)) +
            "set arrow 1 from 0, graph 0 to 0, graph 1 nohead lc rgb '#777777'\nplot " +
@@ -108,7 +108,7 @@ std::string price_script(const PriceStudy& study, const Prices& prices) {
     script += "set bmargin at screen 0.16\nset tmargin at screen 0.88\nset ytics scale 0 noenhanced (";
     for (std::size_t n = 0; n < bars.size(); ++n)
         script += (n == 0 ? "" : ", ") + plot_text(bars[n].name) + " " + std::to_string(n);
-    script += ")\nset lmargin at screen 0.30\nset rmargin at screen 0.62\n" + cost_panel(bars, prices.resolution);
+    script += ")\nset lmargin at screen 0.30\nset rmargin at screen 0.62\n" + cost_panel(bars);
     script += "unset ytics\nset lmargin at screen 0.70\nset rmargin at screen 0.97\n";
     return script + effect_panel(bars, study.is_beyond_horizon()) + "unset multiplot\n";
 }

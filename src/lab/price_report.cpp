@@ -21,10 +21,12 @@ std::string percent(double share) {
     return std::isfinite(share) ? rounded(100.0 * share, share * share < 1e-2 ? 2 : 3) + " %" : "-";
 }
 
-/// What is smaller than the resolution was not measured.
-std::string cost_text(double share, double resolution) {
-    if (std::isfinite(share) && std::abs(share) < resolution) return "< " + percent(resolution);
-    return percent(share);
+/// "43.3 ± 1.1 %"; what is smaller than it is known to was not measured.
+std::string percent(const Share& share) {
+    if (!std::isfinite(share.value)) return "-";
+    if (!share.is_resolved()) return "< " + percent(share.known_to);
+    const int decimals = share.known_to < 0.1 ? 1 : 0;
+    return fmt::format("{:.{}f} ± {:.{}f} %", 100.0 * share.value, decimals, 100.0 * share.known_to, decimals);
 }
 
 std::string milliseconds(double value) {
@@ -52,12 +54,12 @@ Row effect_cells(const PriceStudy& study, const Effect& effect) {
             metres(effect.known_to)};
 }
 
-Row row_of(const PriceStudy& study, const Prices& prices, const Priced& priced) {
+Row row_of(const PriceStudy& study, const Priced& priced) {
     Row row{priced.part.label};
     const Row effect = effect_cells(study, priced.effect);
     row.insert(row.end(), effect.begin(), effect.end());
-    row.push_back(cost_text(priced.cost, prices.resolution));
-    row.push_back(cost_text(priced.cost_same_step, prices.resolution));
+    row.push_back(percent(priced.cost.own));
+    row.push_back(percent(priced.cost.same_step));
     row.push_back(std::isfinite(priced.dt) ? quantity(priced.dt, "s") : "-");
     row.push_back(priced.remark);
     return row;
@@ -94,8 +96,8 @@ nlohmann::ordered_json effect_json(const PriceStudy& study, const Effect& effect
 nlohmann::ordered_json dropped_json(const PriceStudy& study, const Dropped& dropped) {
     nlohmann::ordered_json json{{"term", dropped.part.key}, {"label", dropped.part.label}, {"also", dropped.part.also}};
     json.update(effect_json(study, dropped.effect));
-    json["bought_percent"] = 100.0 * dropped.bought;
-    json["saved_percent"] = 100.0 * dropped.saving;
+    json["bought_percent"] = 100.0 * dropped.bought.value;
+    json["saved_percent"] = 100.0 * dropped.saving.value;
     return json;
 }
 
@@ -109,8 +111,8 @@ nlohmann::ordered_json reduction_json(const PriceStudy& study, const Reduction& 
     json["confirmed"] = effect_json(study, reduction.confirmed);
     json["check"] = effect_json(study, reduction.check);
     json["promised_percent"] = 100.0 * reduction.promised();
-    json["measured_percent"] = 100.0 * reduction.measured;
-    json["resolution_percent"] = 100.0 * reduction.resolution;
+    json["measured_percent"] = 100.0 * reduction.measured.value;
+    json["resolution_percent"] = 100.0 * reduction.measured.known_to;
     json["ms_per_second_before"] = reduction.before.ms_per_second;
     json["ms_per_second_after"] = reduction.after.ms_per_second;
     return json;
@@ -140,20 +142,20 @@ std::string parts_table(const PriceStudy& study, const Prices& prices) {
     heading.insert(heading.end(), effect.begin(), effect.end());
     for (const char* cell : {"cost", "at the same step", "step without it", ""}) heading.emplace_back(cell);
     std::vector<Row> rows{heading};
-    for (const Priced& priced : prices.parts) rows.push_back(row_of(study, prices, priced));
-    return aligned(rows) + fmt::format(
-                               "cost in percent of the whole, {} of CPU a simulated second at steps of {}; "
-                               "differences below {} are not resolved\n",
-                               quantity(1e-3 * prices.scene.ms_per_second, "s"), quantity(prices.scene.dt, "s"),
-                               percent(prices.resolution));
+    for (const Priced& priced : prices.parts) rows.push_back(row_of(study, priced));
+    return aligned(rows) +
+           fmt::format(
+               "cost in percent of the whole, {} of CPU a simulated second at steps of {}; ± and <: with 95 % the true "
+               "cost is within that\n",
+               quantity(1e-3 * prices.scene.ms_per_second, "s"), quantity(prices.scene.dt, "s"));
 }
 
 bool holds(const PriceStudy& study, const Reduction& reduction) {
     return !reduction.dropped.empty() && reduction.check.is_within(*study.request().tolerance) &&
-           reduction.measured > 0.0;
+           reduction.measured.value > 0.0;
 }
 
-std::string reduction_text(const PriceStudy& study, const Prices& prices, const Reduction& reduction) {
+std::string reduction_text(const PriceStudy& study, const Reduction& reduction) {
     const std::string tolerance = quantity(*study.request().tolerance, "m"), span = span_of(study);
     std::string text;
     if (reduction.is_cut_short) text += "stopped looking for more: there was no time left in --budget\n";
@@ -161,8 +163,7 @@ std::string reduction_text(const PriceStudy& study, const Prices& prices, const 
         text += fmt::format("not {}: within {} at first, but not in the {} that follow: {}\n",
                             reduction.put_back[n].part.label, tolerance, span, rms_text(reduction.failed[n]));
     if (reduction.dropped.empty()) {
-        text += fmt::format("nothing that saves time (more than {}) can be left out within {}",
-                            percent(prices.resolution), tolerance);
+        text += "nothing that saves time that can be measured can be left out within " + tolerance;
         if (reduction.nearest)
             text += fmt::format("; the nearest is {}: {}, known to {}, {} less time", reduction.nearest->part.label,
                                 rms_text(reduction.nearest->effect), metres(reduction.nearest->effect.known_to),
@@ -174,10 +175,9 @@ std::string reduction_text(const PriceStudy& study, const Prices& prices, const 
     text += fmt::format("  in the {} that follow: {}\n", span, rms_text(reduction.confirmed));
     text += fmt::format("  check, in the {} after that: {}: {}\n", span, rms_text(reduction.check),
                         reduction.check.is_within(*study.request().tolerance) ? "it holds" : "it does not hold");
-    text += fmt::format("  promised {} less time; what is left run as a whole there: {} instead of {}, {} ± {} less\n",
+    text += fmt::format("  promised {} less time; what is left run as a whole there: {} instead of {}, {} less\n",
                         percent(reduction.promised()), milliseconds(reduction.after.ms_per_second),
-                        milliseconds(reduction.before.ms_per_second), percent(reduction.measured),
-                        percent(reduction.resolution));
+                        milliseconds(reduction.before.ms_per_second), percent(reduction.measured));
     return text;
 }
 
@@ -212,16 +212,17 @@ nlohmann::ordered_json as_json(const PriceStudy& study, const Prices& prices,
                                 {"reference_error_m", beyond ? NAN : ground.reference.error()},
                                 {"reference_dt", batch_seconds / static_cast<double>(ground.reference.rk4_steps)},
                                 {"ms_per_second", prices.scene.ms_per_second},
-                                {"dt", prices.scene.dt},
-                                {"cost_resolution_percent", 100.0 * prices.resolution}};
+                                {"dt", prices.scene.dt}};
     if (beyond) json["statistics"] = statistics_json(study.reference_tip());
     auto& terms = json["terms"] = nlohmann::ordered_json::array();
     for (const Priced& priced : prices.parts) {
         terms.push_back({{"term", priced.part.key},
                          {"label", priced.part.label},
                          {"also", priced.part.also},
-                         {"cost_percent", 100.0 * priced.cost},
-                         {"cost_same_step_percent", 100.0 * priced.cost_same_step},
+                         {"cost_percent", 100.0 * priced.cost.own.value},
+                         {"cost_known_to_percent", 100.0 * priced.cost.own.known_to},
+                         {"cost_same_step_percent", 100.0 * priced.cost.same_step.value},
+                         {"cost_same_step_known_to_percent", 100.0 * priced.cost.same_step.known_to},
                          {"dt_without", priced.dt}});
         terms.back().update(effect_json(study, priced.effect));
         terms.back()["remark"] = priced.remark;

@@ -15,7 +15,7 @@ namespace drapeau::lab {
 std::string compared_text(const PriceStudy& study);
 std::string parts_table(const PriceStudy& study, const Prices& prices);
 /// What can be left out within the tolerance, what that saves, and whether it holds.
-std::string reduction_text(const PriceStudy& study, const Prices& prices, const Reduction& reduction);
+std::string reduction_text(const PriceStudy& study, const Reduction& reduction);
 /// Whether something was left out, and its check held.
 bool holds(const PriceStudy& study, const Reduction& reduction);
 

@@ -79,10 +79,9 @@ std::vector<std::string> stability_answers(const Json& found, const Scene& scene
 std::vector<std::string> price_answers(const Json& found, const Scene&) {
     if (!found.is_object()) return {};
     std::vector<std::string> answers;
-    const double resolution = number(found, "cost_resolution_percent");
     std::vector<Json> terms;
     for (const Json& term : found.value("terms", Json::array()))
-        if (number(term, "cost_percent") > resolution) terms.push_back(term);
+        if (number(term, "cost_percent") > number(term, "cost_known_to_percent")) terms.push_back(term);
     std::stable_sort(terms.begin(), terms.end(), [](const Json& a, const Json& b) {
         return number(a, "cost_percent") > number(b, "cost_percent");
     });

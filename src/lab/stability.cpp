@@ -133,8 +133,8 @@ int report(const StabilityMap& map, const Outputs& outputs) {
 std::vector<StabilityPoint> missing_in(const PartFile* file, const std::vector<StabilityPoint>& points,
                                        const Shard& shard) {
     std::vector<StabilityPoint> missing;
-    for (std::size_t n = 0; n < points.size(); ++n)
-        if (shard.has(n) && !(file && file->has(points[n].key))) missing.push_back(points[n]);
+    for (const std::size_t n : shard.places(points.size()))
+        if (!(file && file->has(points[n].key))) missing.push_back(points[n]);
     return missing;
 }
 

@@ -1,6 +1,6 @@
 #include "stability_records.hpp"
 
-#include "io/error.hpp"
+#include "basis_records.hpp"
 #include "lists.hpp"
 #include "scene/file.hpp"
 #include "scene/settings.hpp"
@@ -10,17 +10,15 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 
 namespace drapeau::lab {
 
 namespace {
 
 /// Options whose texts belong to the identity.
-constexpr std::pair<const char*, std::string StabilityOptions::*> texts[] = {
-    {"--methods", &StabilityOptions::methods},
-    {"--stiffness", &StabilityOptions::stiffness},
-    {"--damping", &StabilityOptions::damping}};
+constexpr TextOption<StabilityOptions> texts[] = {{"--methods", &StabilityOptions::methods},
+                                                  {"--stiffness", &StabilityOptions::stiffness},
+                                                  {"--damping", &StabilityOptions::damping}};
 
 constexpr const char* every_step = "every step";  // in place of an infinite limit
 
@@ -44,8 +42,7 @@ Json seconds_json(double seconds) {
     return std::isinf(seconds) ? Json(every_step) : Json(seconds);
 }
 double seconds_in(const Json& json) {
-    if (json.is_null()) return NAN;
-    return json == every_step ? static_cast<double>(INFINITY) : json.get<double>();
+    return json == every_step ? static_cast<double>(INFINITY) : amount(json);
 }
 
 }  // namespace
@@ -75,18 +72,12 @@ std::vector<StabilityPoint> points_of(const Scene& scene, const StabilityOptions
 }
 
 SweepIdentity identity_of(const Scene& scene, const StabilityOptions& options) {
-    Json json = Json::object();
-    for (const auto& [name, text] : texts) json[name] = options.*text;
-    return {"stability", DRAPEAU_VERSION, write_scene(scene), json};
+    return {"stability", DRAPEAU_VERSION, write_scene(scene), texts_json<StabilityOptions>(options, texts)};
 }
 
 StabilityOptions options_of_stability(const SweepIdentity& sweep) {
     StabilityOptions options;
-    try {
-        for (const auto& [name, text] : texts) options.*text = sweep.options.at(name).get<std::string>();
-    } catch (const Json::exception&) {
-        throw InputError("the parts do not say with which options their sweep was made");
-    }
+    use_options(sweep, [&](const Json& json) { read_texts<StabilityOptions>(json, options, texts); });
     return options;
 }
 
@@ -113,7 +104,7 @@ StabilityLimit limit_in(const Json& json, const StabilityPoint& point) {
                          seconds_in(json.at("theory_s")),
                          seconds_in(json.at("unseen_below_s")),
                          {}};
-    for (const Json& at : json.at("growth")) limit.map.push_back({seconds_in(at.at(0)), seconds_in(at.at(1))});
+    for (const Json& at : json.at("growth")) limit.map.push_back({known_amount(at.at(0)), number(at.at(1))});
     if (std::isinf(limit.measured) && limit.map.empty()) throw std::out_of_range("growth");
     return limit;
 }

@@ -1,6 +1,7 @@
 #include "trade.hpp"
 
 #include "exit_status.hpp"
+#include "basis_records.hpp"
 #include "gnuplot.hpp"
 #include "io/error.hpp"
 #include "io/terminal.hpp"
@@ -31,7 +32,7 @@ std::optional<int> prepared(TradeSweep& sweep, const TradeOptions& options, cons
         complain(program, "the scene diverges while it swings in, at rk4's automatic step: " + *diverged);
         return exit_diverged;
     }
-    check_tolerance(sweep, options.tolerance);
+    check_tolerance(options, sweep.grounds().front().stretch.seconds(), sweep.horizon());
     return {};
 }
 
@@ -103,8 +104,7 @@ int in_parts(const TradeOptions& options, const TradeRequest& request, const Tra
     PartFile file(options.part, identity_of(options, request), shard);
     std::vector<std::size_t> places, missing;
     const std::vector<std::size_t> order = sweep.cheapest_first();
-    for (std::size_t n = 0; n < order.size(); ++n)
-        if (shard.has(n)) places.push_back(order[n]);
+    for (const std::size_t n : shard.places(order.size())) places.push_back(order[n]);
     for (const std::size_t n : places)
         if (!file.has(sweep.point(n).key)) missing.push_back(n);
     const double before = sweep.seconds_before(), after = sweep.seconds_of_points(missing);
@@ -128,12 +128,11 @@ int in_parts(const TradeOptions& options, const TradeRequest& request, const Tra
 }  // namespace
 
 int trade(const TradeOptions& options) {
-    TradeRequest request = request_in(options);
+    const TradeRequest request = request_in(options);
     const TradeOutputs outputs{options.json, options.write, options.plot, find_scene(options.scene)};
     const Shard shard = shard_of(options.part, outputs.files());
     check_outputs({{"the scene", outputs.scene_file.string()}}, with_part(outputs.files(), options.part));
     check_plot("--plot", options.plot);
-    request.counts_work = !options.part.file.empty();
     return request.counts_work ? in_parts(options, request, outputs, shard) : at_once(options, request, outputs);
 }
 

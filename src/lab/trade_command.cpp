@@ -42,19 +42,11 @@ Job add_trade(CLI::App& command) {
         ->type_name("COLUMNSxROWS,...");
     command.add_flag("--diagonals", options.both_diagonals, "Compare the model with and without diagonal springs");
     command.add_option("--limits", options.limits, "Stretch limits to compare: shares, or off")->type_name("L,...");
-    add_assignments(command, options.set);
-    command.add_option("--settle", options.settle, "Time to swing in before, s (2)")->type_name("T");
-    command
-        .add_option("--seconds", options.seconds, "Time compared, s (0.5, or half the chaos horizon if that is less)")
-        ->type_name("T");
-    command.add_option("--budget", options.budget, "Time it may take, minutes (2)")->type_name("MINUTES");
-    command.add_option("--tolerance", options.tolerance, "Name the cheapest setting within this distance, such as 1mm")
-        ->type_name("DISTANCE");
+    add_comparison_options(command, options, "Name the cheapest setting within this distance, such as 1mm");
     take_as_path(command.add_option("--write", options.write, "Save the scene with that setting, if its check holds")
                      ->type_name("FILE.toml"));
     take_as_path(command.add_option("--json", options.json, "Write the results as one JSON object")->type_name("FILE"));
     add_plot_option(command, options.plot, "Draw cost over error");
-    add_part_options(command, options.part);
     return [given] { return trade(*given); };
 }
 

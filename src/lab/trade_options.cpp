@@ -39,11 +39,7 @@ double step_in(const std::string& text) {
 
 TradeRequest request_in(const TradeOptions& options, const Scene& scene) {
     TradeRequest request;
-    request.batches_are_given = !options.seconds.empty();
-    if (request.batches_are_given) request.batches = batches_option("--seconds", options.seconds, 1);
-    request.settle = static_cast<double>(batches_option("--settle", options.settle, 0)) * batch_seconds;
-    request.budget = budget_option(options.budget);
-    if (!options.tolerance.empty()) request.tolerance = distance_in("--tolerance", options.tolerance);
+    read_comparison(options, request);
     if (!options.write.empty() && !request.tolerance)
         throw InputError("--write: it saves the setting that --tolerance names; give --tolerance too");
     TradeChoice& choice = request.choice;

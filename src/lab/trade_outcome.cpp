@@ -66,14 +66,6 @@ std::vector<NamedFile> TradeOutputs::files() const {
     return asked_for({{"--write", write}, {"--json", json}, {"--plot", plot}});
 }
 
-void check_tolerance(const TradeSweep& sweep, const std::string& tolerance) {
-    if (!sweep.request().tolerance || !sweep.is_beyond_horizon()) return;
-    throw InputError("--tolerance = " + one_line(tolerance, 60) + ": within " +
-                     quantity(sweep.grounds().front().stretch.seconds(), "s") +
-                     " the motion is chaotic: a nanometre becomes as much in " + quantity(sweep.horizon(), "s", 2) +
-                     "; compare no more --seconds than that");
-}
-
 TradeFindings findings_of(const TradeSweep& sweep, std::vector<Measured> points, const Tick& tick) {
     TradeFindings findings;
     findings.points = std::move(points);

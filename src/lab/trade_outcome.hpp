@@ -18,9 +18,6 @@ struct TradeOutputs {
     std::vector<NamedFile> files() const;
 };
 
-/// Throws InputError where the motion is chaotic over what --tolerance, as it was given, should hold.
-void check_tolerance(const TradeSweep& sweep, const std::string& tolerance);
-
 /// The front, orders and the setting to recommend, for which the sweep must have been prepared.
 TradeFindings findings_of(const TradeSweep& sweep, std::vector<Measured> points, const Tick& tick);
 

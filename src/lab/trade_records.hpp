@@ -11,10 +11,7 @@ SweepIdentity identity_of(const TradeOptions& options, const TradeRequest& reque
 /// The options that identity says. Throws InputError.
 TradeOptions options_in(const SweepIdentity& sweep);
 
-// What is no number where one is wanted, or not finite, is null in JSON. Reading throws Json::exception or
-// std::out_of_range for what no sweep wrote.
-Json basis_json(const TradeBasis& basis);
-TradeBasis basis_in(const Json& json);
+// Reading throws Json::exception or std::out_of_range for what no sweep wrote.
 Json result_json(const Measured& measured);
 Json cost_json(const Measured& measured);
 /// With the least of its costs.

@@ -2,95 +2,109 @@
 
 #include "io/error.hpp"
 #include "measure/clocks.hpp"
+#include "measure/median_interval.hpp"
 #include "measure/price_effect.hpp"
 #include "measure/run_cost.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace drapeau {
 
 namespace {
 
-constexpr int most_rounds = 300, least_rounds = 4, usual_rounds = 20;
+constexpr int most_rounds = 300, least_rounds = min_draws, usual_rounds = 20;
 constexpr double long_enough = 6e-3;  // s, that a turn lasts
 constexpr double finest = 0.01;       // share: no smaller difference is looked for
 
-/// A scene that takes turns, and the least of its even and of its odd ones.
-struct Contender {
-    Scene scene;
-    Stretch stretch;
-    int times = 0;  // the stretch is run in a turn; 0 where it does not hold
-    std::array<double, 2> least{INFINITY, INFINITY};
+struct FirstRun {
+    Cost cost;
+    double seconds = NAN;  // of processor time, where it holds
 };
 
-/// Runs it once: whether it holds, and how long it takes.
-Cost first_run(Contender& contender) {
-    Cost cost;
+FirstRun first_run(const Scene& scene, const Stretch& stretch) {
+    FirstRun run;
     try {
-        Simulation simulation = simulation_at(contender.scene, contender.stretch);
+        Simulation simulation = simulation_at(scene, stretch);
         const double before = thread_seconds();
         std::optional<Divergence> divergence;
-        for (long long batch = 0; batch < contender.stretch.batches && !divergence; ++batch)
+        for (long long batch = 0; batch < stretch.batches && !divergence; ++batch)
             divergence = simulation.advance_batch();
         const double seconds = thread_seconds() - before;
         if (!divergence) divergence = simulation.check();
         if (divergence)
-            cost.remark = divergence->message;
+            run.cost.remark = divergence->message;
         else
-            contender.times = times_for(long_enough, seconds);
-        cost.dt = simulation.dt();
+            run.seconds = seconds;
+        run.cost.dt = simulation.dt();
     } catch (const InputError& refused) {
-        cost.remark = refused.what();
+        run.cost.remark = refused.what();
     }
-    return cost;
+    return run;
 }
 
-/// What the even turns and the odd ones differ by, as a share of the first scene's time: twice their root mean square.
-double resolution_of(const std::vector<Contender>& contenders, double first) {
-    double squares = 0.0, count = 0.0;
-    for (const Contender& contender : contenders) {
-        if (contender.times == 0) continue;
-        const double off = (contender.least[0] - contender.least[1]) / first;
-        squares += off * off, count += 1.0;
-    }
-    return std::max(finest, 2.0 * std::sqrt(squares / std::max(count, 1.0)));
+/// A scene that takes turns.
+struct Contender {
+    Scene scene;
+    Stretch stretch;
+    int times = 0;  // the stretch is run in a turn; 0 where it does not hold
+};
+
+/// The least that is known of what a scene takes less than the first, but for those that do not hold.
+double known_to(const Costs& costs) {
+    double most = 0.0;
+    for (std::size_t n = 1; n < costs.of.size(); ++n)
+        if (const Share share = costs.saved(0, n); std::isfinite(share.value)) most = std::max(most, share.known_to);
+    return most;
 }
 
 }  // namespace
+
+Share Costs::saved(std::size_t from, std::size_t to) const {
+    std::vector<double> shares;
+    for (std::size_t round = 0; round < turns.front().size(); ++round)
+        if (round < turns[from].size() && round < turns[to].size())
+            shares.push_back((turns[from][round] - turns[to][round]) / turns.front()[round]);
+    if (static_cast<int>(shares.size()) < min_draws) return {};
+    const MedianInterval interval = median_interval(std::move(shares));
+    return {interval.median, std::max({finest, interval.high - interval.median, interval.median - interval.low})};
+}
 
 Costs costs_of(const std::vector<Scene>& scenes, const Ground& ground, double seconds,
                const std::function<void()>& tick) {
     std::vector<Contender> contenders;
     Costs costs;
     for (const Scene& scene : scenes) {
-        contenders.push_back({scene, stretch_on(scene, ground)});
-        costs.of.push_back(first_run(contenders.back()));
+        Contender& contender = contenders.emplace_back(Contender{scene, stretch_on(scene, ground), 0});
+        const FirstRun run = first_run(scene, contender.stretch);
+        if (std::isfinite(run.seconds)) contender.times = times_for(long_enough, run.seconds);
+        costs.of.push_back(run.cost);
         tick();
     }
-    const auto least_of = [](const Contender& contender) { return std::min(contender.least[0], contender.least[1]); };
+    costs.turns.resize(scenes.size());
     const double began = wall_seconds();
     for (int round = 0; round < most_rounds && contenders.front().times > 0; ++round) {
         if (round >= least_rounds && wall_seconds() - began > seconds) break;
         // On a busy machine more are made.
-        if (round >= usual_rounds && resolution_of(contenders, least_of(contenders.front())) <= finest) break;
-        for (Contender& contender : contenders) {
-            if (contender.times == 0) continue;
-            double& least = contender.least[static_cast<std::size_t>(round % 2)];
-            least = std::min(least, run_cost(contender.scene, contender.stretch, contender.times));
+        if (round >= usual_rounds && known_to(costs) <= finest) break;
+        for (std::size_t turn = 0; turn < contenders.size(); ++turn) {
+            // There and back again: what changes steadily meanwhile favours none.
+            const std::size_t n = round % 2 == 0 ? turn : contenders.size() - 1 - turn;
+            const auto& [scene, stretch, times] = contenders[n];
+            if (times == 0) continue;
+            costs.turns[n].push_back(run_cost(scene, stretch, times));
             tick();
         }
     }
     for (std::size_t n = 0; n < contenders.size(); ++n)
-        if (std::isfinite(least_of(contenders[n]))) costs.of[n].ms_per_second = least_of(contenders[n]);
-    costs.resolution = resolution_of(contenders, costs.first());
+        for (const double turn : costs.turns[n]) costs.of[n].ms_per_second = std::fmin(costs.of[n].ms_per_second, turn);
     return costs;
 }
 
-double step_of(const Scene& scene, const Ground& ground) {
-    Contender contender{scene, stretch_on(scene, ground)};
-    return first_run(contender).dt;
+Cost as_run(const Scene& scene, const Ground& ground) {
+    return first_run(scene, stretch_on(scene, ground)).cost;
 }
 
 Scene at_step(const Scene& scene, double dt) {

@@ -3,6 +3,7 @@
 
 #include "measure/trade_measure.hpp"
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -15,23 +16,31 @@ struct Cost {
     std::string remark;          // how it diverged, or why the programs refuse it
 };
 
-struct Costs {
-    std::vector<Cost> of;      // each scene
-    double resolution = 0.01;  // share of the first: no smaller difference counts
+/// A share of a scene's time, and within what the true one is with a probability of 95 %.
+struct Share {
+    double value = NAN;
+    double known_to = NAN;  // at least 0.01: no smaller difference is looked for
 
-    double first() const { return of.front().ms_per_second; }
-    /// The share of the first's time that the second scene named takes less than the first named.
-    double saved(std::size_t from, std::size_t to) const {
-        return (of[from].ms_per_second - of[to].ms_per_second) / first();
-    }
+    bool is_resolved() const { return std::abs(value) >= known_to; }
+    bool is_saving() const { return value > known_to; }
 };
 
-/// `seconds`: of time on the wall that the rounds may take; four are made at least.
+struct Costs {
+    std::vector<Cost> of;                    // each scene
+    std::vector<std::vector<double>> turns;  // ms of processor time a simulated second, of each in every round
+
+    double first() const { return of.front().ms_per_second; }
+    /// The share of the first scene's time that the second one named takes less than the first named: the median of
+    /// what the rounds say, in each of which all scenes meet the same machine, as busy as it is.
+    Share saved(std::size_t from, std::size_t to) const;
+};
+
+/// `seconds`: of time on the wall that the rounds may take; six are made at least.
 Costs costs_of(const std::vector<Scene>& scenes, const Ground& ground, double seconds,
                const std::function<void()>& tick);
 
-/// The step (s) that a scene takes at the end of the stretch.
-double step_of(const Scene& scene, const Ground& ground);
+/// Runs the scene over the stretch once, for its step and whether it holds; it is not timed.
+Cost as_run(const Scene& scene, const Ground& ground);
 
 /// The scene at a given step (s).
 Scene at_step(const Scene& scene, double dt);

@@ -59,9 +59,9 @@ int count_of_vectors(const Settings& settings, const Keys& keys) {
     return count;
 }
 
-class SceneParts {
+class Listing {
 public:
-    explicit SceneParts(const Scene& scene) : scene_(scene) {}
+    explicit Listing(const Scene& scene) : scene_(scene) {}
 
     std::vector<ScenePart> all() {
         Scene rest = scene_;
@@ -152,7 +152,7 @@ private:
 }  // namespace
 
 std::vector<ScenePart> parts_of(const Scene& scene) {
-    return SceneParts(scene).all();
+    return Listing(scene).all();
 }
 
 }  // namespace drapeau

@@ -1,4 +1,5 @@
 // Price reduce: the parts that a scene can do without, one after the other.
+#include "measure/clocks.hpp"
 #include "measure/price_study.hpp"
 
 #include <algorithm>
@@ -34,11 +35,11 @@ bool is_among(const std::vector<ScenePart>& parts, const ScenePart& part) {
 std::optional<Dropped> nearest_of(const Prices& prices) {
     const Priced* least = nullptr;
     for (const Priced& p : prices.parts) {
-        if (!p.effect.is_measured || !(p.cost > prices.resolution)) continue;
+        if (!p.effect.is_measured || !p.cost.own.is_saving()) continue;
         if (!least || p.effect.apart.distance() < least->effect.apart.distance()) least = &p;
     }
     if (!least) return {};
-    return Dropped{least->part, least->effect, least->cost, least->cost, least->effect.apart.distance()};
+    return Dropped{least->part, least->effect, least->cost.own, least->cost.own, least->effect.apart.distance()};
 }
 
 }  // namespace
@@ -71,8 +72,8 @@ bool PriceStudy::drop_one(Reduction& reduction, const Prices& prices, std::vecto
         std::vector<Scene> scenes{request_.scene, candidate.part.without};
         if (!reduction.dropped.empty()) scenes.push_back(reduction.scene);
         const Costs costs = this->costs(scenes, *ground_, 0.15);
-        const double bought = costs.saved(scenes.size() == 3 ? 2 : 0, 1);
-        if (!(bought > costs.resolution)) {
+        const Share bought = costs.saved(scenes.size() == 3 ? 2 : 0, 1);
+        if (!bought.is_saving()) {
             useless.push_back(candidate.part);
             continue;
         }
@@ -101,10 +102,10 @@ void PriceStudy::confirm(Reduction& reduction) {
     reduction.before = costs.of[0];
     reduction.after = costs.of[1];
     reduction.measured = costs.saved(0, 1);
-    reduction.resolution = costs.resolution;
 }
 
 Reduction PriceStudy::reduce(const Prices& prices) {
+    if (request_.counts_work) began_ = wall_seconds(), deadline_ = request_.budget;
     Reduction reduction;
     reduction.scene = request_.scene;
     std::vector<ScenePart> useless;  // within the tolerance, but saves nothing that can be measured

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace drapeau {
@@ -37,7 +38,10 @@ PriceStudy::PriceStudy(const PriceRequest& request, Tick tick)
     chosen_precision(request.scene, model_, chosen_step(request.scene, model_, false, 1.0));  // whether it can be run
     if (parts_.empty()) throw InputError("nothing in this scene can be left out");
     const double step = std::min(stable_step(Rk4{}, model_).seconds(), batch_seconds);
-    a_second_ = measured_unit(model_) * step_cost(model_, method_id<Rk4>) / step;
+    unit_ = measured_unit(model_);
+    if (request_.counts_work) pace_ = unit_ / counted_unit, unit_ = counted_unit;
+    if (!request_.counts_work) deadline_ = request_.budget;
+    a_second_ = unit_ * step_cost(model_, method_id<Rk4>) / step;
 
     list_times();
 }
@@ -48,17 +52,22 @@ void PriceStudy::list_times() {
     // At rk4's limit, flights that take as long as the least that a reference, and an effect, may do with.
     constexpr double for_reference = 20.0, for_effect = 7.0;
     constexpr double usual_search = 36.0;  // the same, as it is usually
-    constexpr double a_turn = 0.3;         // s, that the cost of one scene takes
     const double parts = static_cast<double>(parts_.size());
     const double a_flight = a_second_ * static_cast<double>(request_.batches) * batch_seconds;
-    const double swing = 2.0 * a_second_ * request_.settle;
-    const double least = swing + (for_reference + for_effect * parts) * a_flight;
+    swing_seconds_ = 2.0 * a_second_ * request_.settle;
+    const double least = swing_seconds_ + (for_reference + for_effect * parts) * a_flight;
     if (least > request_.budget)
         throw BudgetError("swinging in and the flights with and without each part", least, request_.budget);
     const double searches = 1.0 + (request_.tolerance ? 1.5 * parts + 4.0 : parts);
     search_seconds_ = std::max(for_flights * request_.budget / searches, for_reference * a_flight);
-    const double usual = std::min(usual_search * a_flight, search_seconds_);
-    estimate_ = std::min(request_.budget, swing + searches * usual + 2.0 * a_turn * (parts + 1.0));
+    usual_seconds_ = std::min(usual_search * a_flight, search_seconds_);
+}
+
+double PriceStudy::seconds_for(std::size_t count) const {
+    constexpr double a_turn = 0.3;  // s, that the cost of one scene takes
+    const double parts = static_cast<double>(count);
+    const double searches = 1.0 + (request_.tolerance ? 1.5 * parts + 4.0 : parts);
+    return pace_ * (swing_seconds_ + searches * usual_seconds_) + 2.0 * a_turn * (parts + 1.0);
 }
 
 double PriceStudy::elapsed() const {
@@ -66,7 +75,7 @@ double PriceStudy::elapsed() const {
 }
 
 void PriceStudy::tell() const {
-    tick_(std::min(0.99, elapsed() / std::max(estimate_, 1e-3)));
+    tick_(std::min(0.99, elapsed() / std::max(expected_, 1e-3)));
 }
 
 double PriceStudy::horizon() const {
@@ -75,11 +84,6 @@ double PriceStudy::horizon() const {
 bool PriceStudy::is_beyond_horizon() const {
     return horizon() < static_cast<double>(request_.batches) * batch_seconds;
 }
-TipStatistics PriceStudy::reference_tip() const {
-    const Flight& flight = ground_->reference.by_rk4;
-    return statistics_of(flight.tip, flight.tip_velocity, batch_seconds);
-}
-
 /// m, root mean square: how well motions are to be known. Statistics need no finer steps than those that hold.
 double PriceStudy::goal() const {
     constexpr double coarser = 1e5;   // than what double resolves: a ten-millionth of the cloth
@@ -89,12 +93,14 @@ double PriceStudy::goal() const {
     return std::max(finest, std::min(coarser * finest, request_.tolerance.value_or(INFINITY) / finer));
 }
 
-std::optional<std::string> PriceStudy::prepare() {
+std::optional<std::string> PriceStudy::prepare(std::size_t parts) {
+    expected_ = request_.counts_work ? seconds_for(parts) : estimate();
     const SwungIn swung = swing_in(request_.scene, request_.settle, [&] { tell(); });
-    if (swung.diverged) return swung.diverged;
+    if (swung.diverged) return "while it swings in, at rk4's automatic step: " + *swung.diverged;
     Yardstick yardstick(model_);
     const Stretch stretch{swung.state, swung.time, request_.batches, sampling(model_.grid, request_.batches)};
-    growth_ = find_growth(model_, stretch, yardstick, {0.0, search_seconds_, [&] { tell(); }});
+    growth_ = find_growth(model_, stretch, yardstick,
+                          {0.0, search_seconds_, [&] { tell(); }, request_.counts_work ? unit_ : 0.0});
     if (!request_.batches_are_given && growth_.is_seen()) {
         const long long trusted = trusted_batches(horizon());
         is_shortened_ = trusted < request_.batches;
@@ -102,8 +108,32 @@ std::optional<std::string> PriceStudy::prepare() {
     }
     const double before = wall_seconds();
     ground_ = ground_at(swung.state, swung.time);
-    reference_seconds_ = wall_seconds() - before;
-    return {};
+    reference_seconds_ = effect_seconds_ = wall_seconds() - before;
+    const Flight& flight = ground_->reference.by_rk4;
+    reference_tip_ = statistics_of(flight.tip, flight.tip_velocity, batch_seconds);
+    scene_ = as_run(request_.scene, *ground_);
+    if (scene_.remark.empty()) return {};
+    return "in the time compared, at its own step: " + scene_.remark;
+}
+
+Basis PriceStudy::basis() const {
+    const Stretch& stretch = ground_->stretch;
+    Basis basis{stretch.time, stretch.batches, is_shortened_, growth_, reference_tip_, {}};
+    basis.add(ground_->reference);
+    return basis;
+}
+
+void PriceStudy::restore(const Basis& basis, double dt) {
+    scene_.dt = dt;
+    request_.batches = basis.batches;
+    is_shortened_ = basis.is_shortened;
+    growth_ = basis.growth;
+    reference_tip_ = basis.tip;
+    ground_ = Ground{as_given(request_.scene),
+                     model_,
+                     {State<double>(1, 1), basis.time, basis.batches, 1},
+                     basis.reference(0),
+                     nullptr};
 }
 
 Ground PriceStudy::ground_at(const State<double>& start, double time) const {
@@ -112,8 +142,8 @@ Ground PriceStudy::ground_at(const State<double>& start, double time) const {
                   {start, time, request_.batches, sampling(model_.grid, request_.batches)},
                   {},
                   std::make_unique<Yardstick>(model_)};
-    ground.reference =
-        find_reference(ground.model, ground.stretch, *ground.yardstick, {goal(), search_seconds_, [&] { tell(); }});
+    ground.reference = find_reference(ground.model, ground.stretch, *ground.yardstick,
+                                      {goal(), search_seconds_, [&] { tell(); }, request_.counts_work ? unit_ : 0.0});
     return ground;
 }
 
@@ -137,36 +167,51 @@ Costs PriceStudy::costs(const std::vector<Scene>& scenes, const Ground& ground, 
     return costs_of(scenes, ground, share * for_costs * request_.budget, [&] { tell(); });
 }
 
-Prices PriceStudy::measure() {
-    Prices prices;
+std::vector<PartCost> PriceStudy::time(const std::vector<std::size_t>& places) const {
     const bool is_given = request_.scene.time.dt.has_value();
-    const double dt = step_of(request_.scene, *ground_);
-    std::vector<Scene> scenes{request_.scene, at_step(request_.scene, dt)};
-    std::vector<std::size_t> places;  // in the scenes: without the part at the scene's step; its own step follows
-    for (const ScenePart& part : parts_) {
-        Priced& priced = prices.parts.emplace_back();
-        priced.part = part;
-        priced.remark = part.impossible;
-        places.push_back(scenes.size());
+    std::vector<Scene> scenes{request_.scene, at_step(request_.scene, scene_.dt)};
+    std::vector<std::size_t> same;  // of each part, in the scenes: without it at the scene's step; its own step follows
+    for (const std::size_t n : places) {
+        const ScenePart& part = parts_[n];
+        same.push_back(scenes.size());
         if (!part.impossible.empty()) continue;
-        scenes.push_back(at_step(part.without, dt));
+        scenes.push_back(at_step(part.without, scene_.dt));
         if (!is_given) scenes.push_back(part.without);
     }
-    const Costs costs = this->costs(scenes, *ground_, 0.5);
-    prices.scene = costs.of.front();
-    prices.resolution = costs.resolution;
-    if (!prices.scene.remark.empty()) prices.diverged = prices.scene.remark;
-    if (prices.diverged) return prices;
+    const double share = static_cast<double>(places.size()) / static_cast<double>(parts_.size());
+    const Costs costs = this->costs(scenes, *ground_, 0.5 * share);
+    std::vector<PartCost> found(places.size());
+    for (std::size_t n = 0; n < places.size(); ++n) {
+        found[n].scene_ms = costs.first();
+        if (!parts_[places[n]].impossible.empty()) continue;
+        found[n].own = costs.saved(0, is_given ? same[n] : same[n] + 1);
+        found[n].same_step = is_given ? found[n].own : costs.saved(1, same[n]);
+    }
+    return found;
+}
 
-    for (std::size_t n = 0; n < parts_.size(); ++n) {
-        Priced& priced = prices.parts[n];
-        if (!priced.part.impossible.empty()) continue;
-        const std::size_t same = places[n], own = is_given ? same : same + 1;
-        priced.cost = costs.saved(0, own);
-        priced.cost_same_step = is_given ? priced.cost : costs.saved(1, same);
-        priced.dt = costs.of[own].dt;
-        priced.effect = effect(priced.part.without, *ground_);
-        priced.remark = !costs.of[own].remark.empty() ? costs.of[own].remark : priced.effect.remark;
+Priced PriceStudy::measure_one(std::size_t n) {
+    Priced priced;
+    priced.part = parts_[n];
+    priced.remark = priced.part.impossible;
+    if (!priced.remark.empty()) return priced;
+    const Cost run = as_run(priced.part.without, *ground_);
+    priced.dt = run.dt;
+    priced.effect = effect(priced.part.without, *ground_);
+    priced.remark = run.remark.empty() ? priced.effect.remark : run.remark;
+    return priced;
+}
+
+Prices PriceStudy::measure() {
+    std::vector<std::size_t> all(parts_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const std::vector<PartCost> costs = time(all);
+    Prices prices;
+    prices.scene = scene_;
+    prices.scene.ms_per_second = costs.front().scene_ms;
+    for (const std::size_t n : all) {
+        prices.parts.push_back(measure_one(n));
+        prices.parts.back().cost = costs[n];
     }
     return prices;
 }

@@ -2,10 +2,14 @@
 // nothing; who asks is told how far it is.
 #pragma once
 
+#include "measure/basis.hpp"
+#include "measure/comparison_request.hpp"
 #include "measure/price_cost.hpp"
 #include "measure/price_effect.hpp"
 #include "measure/price_part.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -13,39 +17,35 @@
 
 namespace drapeau {
 
-struct PriceRequest {
-    Scene scene;
-    double settle = 2.0;  // s that the scene swings in before
-    // Of 1/60 s, that are compared. Unless they were asked for: fewer where the motion is chaotic, as in trade.
-    long long batches = 30;
-    bool batches_are_given = false;
-    double budget = 120.0;            // s of time on the wall
-    std::optional<double> tolerance;  // m
+using PriceRequest = ComparisonRequest;
+
+/// What leaving a part out saves, as its scene and the scene as given took turns.
+struct PartCost {
+    double scene_ms = NAN;  // ms of processor time a simulated second, of the scene as given: the least of its turns
+    Share own;              // of that, with the step that is taken without the part
+    Share same_step;        // at the scene's own step
 };
 
-/// What a part costs and matters. Costs are shares of the scene's time, NAN where they could not be measured.
+/// What a part costs and matters. Costs are NAN where they could not be measured.
 struct Priced {
     ScenePart part;
     Effect effect;
-    double cost_same_step = NAN;  // at the scene's own step
-    double cost = NAN;            // with the step that is taken without it
-    double dt = NAN;              // s, that step
-    std::string remark;           // why the scene without it cannot be run
+    PartCost cost;
+    double dt = NAN;     // s, the step that is taken without it
+    std::string remark;  // why the scene without it cannot be run
 };
 
 struct Prices {
     std::vector<Priced> parts;
-    Cost scene;                           // as given
-    double resolution = NAN;              // share of its time: no smaller cost counts
-    std::optional<std::string> diverged;  // the scene as given, at its own step
+    Cost scene;  // as given
 };
 
 /// One more part left out.
 struct Dropped {
     ScenePart part;
     Effect effect;                // of all that is left out up to it
-    double saving = 0.0;          // share of the scene's time, of all that is left out up to it
-    double bought = 0.0;          // share of it, of this one
+    Share saving;                 // of the scene's time, of all that is left out up to it
+    Share bought;                 // of it, of this one
     std::optional<double> alone;  // m, root mean square: the effect of this one alone, where that was measured
 };
 
@@ -57,11 +57,10 @@ struct Reduction {
     Scene scene;                     // what is left
     Effect confirmed, check;         // in the stretch that follows, and in the one after that
     Cost before, after;              // in that one, run as a whole
-    double measured = NAN;           // share of the time that is saved there
-    double resolution = NAN;         // of that
+    Share measured;                  // of the time that is saved there
     bool is_cut_short = false;       // by the budget
 
-    double promised() const { return dropped.empty() ? 0.0 : dropped.back().saving; }
+    double promised() const { return dropped.empty() ? 0.0 : dropped.back().saving.value; }
 };
 
 class PriceStudy {
@@ -73,30 +72,43 @@ public:
     PriceStudy(const PriceRequest& request, Tick tick);
 
     const std::vector<ScenePart>& parts() const { return parts_; }
-    double estimate() const { return estimate_; }  // s of time, at most the budget
-
-    /// Lets the scene swing in and flies its reference. Returns why it diverged, if it did.
-    std::optional<std::string> prepare();
     const PriceRequest& request() const { return request_; }
+    /// s of time, at most the budget, for all parts; or for so many, whatever the budget.
+    double estimate() const { return std::min(request_.budget, seconds_for(parts_.size())); }
+    double seconds_for(std::size_t parts) const;
+
+    /// Lets the scene swing in, flies its reference, and runs it at its own step. Returns how it diverged, if it did.
+    /// `parts`: how many will be measured, for what the tick is told.
+    std::optional<std::string> prepare(std::size_t parts);
+    /// What that found; and the same taken from elsewhere, for a report.
+    Basis basis() const;
+    double dt() const { return scene_.dt; }  // s, the scene's own step
+    void restore(const Basis& basis, double dt);
     const Ground& ground() const { return *ground_; }
     const Growth& growth() const { return growth_; }
     bool is_shortened() const { return is_shortened_; }
     double horizon() const;
     bool is_beyond_horizon() const;
-    TipStatistics reference_tip() const;
+    const TipStatistics& reference_tip() const { return reference_tip_; }
 
+    /// Every part: what it costs, then its effect, while the budget lasts.
     Prices measure();
+    /// One of them without its cost: where work is counted, whatever time it takes.
+    Priced measure_one(std::size_t n);
+    /// What some of them cost: their scenes take turns.
+    std::vector<PartCost> time(const std::vector<std::size_t>& places) const;
 
     /// Leaves out, one after the other, what changes the motion least and saves time, as long as all of it together
     /// stays within the tolerance; then looks at what is left in the stretch that follows (where it is too much, the
-    /// last ones are put back) and checks it in the one after that.
+    /// last ones are put back) and checks it in the one after that. Where work was counted, it has the budget's time
+    /// for itself: what it leaves out follows from times anyway.
     Reduction reduce(const Prices& prices);
 
 private:
     struct Candidate;
 
     double elapsed() const;
-    bool may_go_on() const { return elapsed() < request_.budget; }
+    bool may_go_on() const { return elapsed() < deadline_; }
     void tell() const;
     void list_times();
     double goal() const;
@@ -112,14 +124,21 @@ private:
     Tick tick_;
     std::vector<ScenePart> parts_;
     Model model_;
-    double a_second_ = 0.0;           // s on the wall, of a simulated second at rk4's limit
+    double unit_ = 0.0;               // s, what one unit of step_cost takes in double, or counts for
+    double pace_ = 1.0;               // s here for a s as work is counted
+    double a_second_ = 0.0;           // s of those, of a simulated second at rk4's limit
     double search_seconds_ = 0.0;     // that a reference may take
     double reference_seconds_ = 0.0;  // that the scene's took
     double effect_seconds_ = 0.0;     // that the last effect took
-    double estimate_ = 0.0;
+    double swing_seconds_ = 0.0;      // that swinging in takes
+    double usual_seconds_ = 0.0;      // that a reference, or an effect, takes usually
+    double expected_ = 0.0;           // s on the wall, of all that is done
     double began_ = 0.0;
+    double deadline_ = INFINITY;  // s after that
+    Cost scene_;                  // as given, run once
     std::optional<Ground> ground_;
     Growth growth_;
+    TipStatistics reference_tip_;
     bool is_shortened_ = false;
 };
 

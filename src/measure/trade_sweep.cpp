@@ -23,7 +23,6 @@ constexpr double float_share = 0.6;      // of the time that double takes, about
 constexpr double for_references = 0.25;  // of the budget
 constexpr int least_flights = 8;         // of the coarsest reference, that any search takes
 constexpr double usual_search = 20.0;    // of the least
-constexpr double counted_unit = 4e-9;    // s that a unit of step_cost counts for where work is counted
 
 /// How often a point is timed after its error was measured. What takes long needs no more: it is long enough to be
 /// steady.

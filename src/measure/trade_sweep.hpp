@@ -2,6 +2,8 @@
 // budget. It prints nothing; who asks is told how far it is.
 #pragma once
 
+#include "measure/basis.hpp"
+#include "measure/comparison_request.hpp"
 #include "measure/trade_analysis.hpp"
 
 #include <functional>
@@ -11,38 +13,13 @@
 
 namespace drapeau {
 
-struct TradeRequest {
-    Scene scene;
+struct TradeRequest : ComparisonRequest {
     TradeChoice choice;
-    double settle = 2.0;  // s that the scene swings in before
-    // Of 1/60 s, that are compared. Unless they were asked for: fewer where the motion is chaotic, so that errors of
-    // steps grow no more than a thousandfold.
-    long long batches = 30;
-    bool batches_are_given = false;
-    double budget = 120.0;            // s of time on the wall
-    std::optional<double> tolerance;  // m
-    double enough = 0.0;              // m: no better reference is wanted, root mean square
-    // The budget is of work, counted at a fixed rate instead of timed: what is measured is the same wherever and
-    // however often it is done.
-    bool counts_work = false;
+    double enough = 0.0;  // m: no better reference is wanted, root mean square
 };
 
 /// Is told the share of the work that is done.
 using Tick = std::function<void(double)>;
-
-/// All that points are judged by, without the flights themselves: what a report says of it.
-struct TradeBasis {
-    struct Reference {
-        long long rk4_steps = 0, leapfrog_steps = 0;
-        double rk4_error = 0.0, leapfrog_error = 0.0, methods_apart = 0.0;  // m
-    };
-    double time = 0.0;      // s, where what is compared begins
-    long long batches = 0;  // of 1/60 s, compared
-    bool is_shortened = false;
-    Growth growth;
-    TipStatistics tip;
-    std::vector<Reference> references;  // one a variant
-};
 
 struct Recommendation {
     std::optional<std::size_t> place;  // in the points; nothing if none meets the tolerance twice
@@ -71,8 +48,8 @@ public:
     /// Lets the scene swing in and flies the references. Returns why it diverged, if it did.
     std::optional<std::string> prepare(const Tick& tick);
     /// What that found; and the same taken from elsewhere, for a report.
-    TradeBasis basis() const;
-    void restore(const TradeBasis& basis);
+    Basis basis() const;
+    void restore(const Basis& basis);
     const std::vector<Ground>& grounds() const { return grounds_; }
     const Growth& growth() const { return growth_; }
     bool is_shortened() const { return is_shortened_; }  // the time compared, for the motion is chaotic

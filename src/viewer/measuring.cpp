@@ -103,23 +103,31 @@ MeasuredScene measured_trade(const Scene& scene, const Tick& tick) {
 }
 
 MeasuredScene measured_prices(const Scene& scene, const Tick& tick) {
+    constexpr double prepared = 0.2, flown = 0.7;  // shares of the work, about
     PriceRequest request;
     request.scene = scene;
     request.settle = settle;
     request.budget = budget;
-    PriceStudy study(request, tick);
-    if (const auto how = study.prepare()) return diverged(*how);
+    request.counts_work = true;
+    double share = 0.0;
+    PriceStudy study(request, [&](double) { tick(share); });
+    std::vector<std::size_t> places;
+    for (std::size_t n = 0; n < study.parts().size(); ++n)
+        if (study.parts()[n].impossible.empty()) places.push_back(n);
+    if (const auto how = study.prepare(places.size())) return diverged(*how);
     if (study.is_beyond_horizon()) return trouble("the motion is chaotic: it is another one whatever is left out");
-    Prices prices = study.measure();
-    if (prices.diverged) return diverged(*prices.diverged);
     MeasuredPrices found;
     found.scene = scene;
     found.since = study.ground().stretch.time;
     found.seconds = study.ground().stretch.seconds();
-    for (Priced& priced : prices.parts)
-        if (priced.part.impossible.empty()) found.parts.push_back(std::move(priced));
-    found.ms_per_second = prices.scene.ms_per_second;
-    found.resolution = prices.resolution;
+    share = prepared;
+    for (const std::size_t n : places) {
+        found.parts.push_back(study.measure_one(n));
+        tick(share += (flown - prepared) / static_cast<double>(places.size()));
+    }
+    const std::vector<PartCost> costs = study.time(places);
+    for (std::size_t n = 0; n < costs.size(); ++n) found.parts[n].cost = costs[n];
+    if (!costs.empty()) found.ms_per_second = costs.front().scene_ms;
     MeasuredScene measurement;
     measurement.prices = std::move(found);
     return measurement;

@@ -30,7 +30,6 @@ struct MeasuredPrices {
     double since = 0.0, seconds = 0.0;  // s, as above
     std::vector<Priced> parts;          // those that a scene can be without
     double ms_per_second = NAN;         // of the scene as given
-    double resolution = NAN;            // share of that: no smaller cost counts
 };
 
 /// What became of a measurement.

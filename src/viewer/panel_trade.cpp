@@ -116,10 +116,11 @@ void draw_trade(AppState& app, Widgets& widgets) {
                    widgets);
 }
 
-std::string cost_text(const Priced& priced, double resolution) {
-    if (!std::isfinite(priced.cost)) return "\xe2\x80\x93";
-    if (std::abs(priced.cost) < resolution) return "< " + rounded(100.0 * resolution, 2) + " %";
-    return rounded(100.0 * priced.cost, 2) + " %";
+std::string cost_text(const Priced& priced) {
+    const Share& cost = priced.cost.own;
+    if (!std::isfinite(cost.value)) return "\xe2\x80\x93";
+    if (!cost.is_resolved()) return "< " + rounded(100.0 * cost.known_to, 2) + " %";
+    return rounded(100.0 * cost.value, 2) + " %";
 }
 
 std::string effect_text(const Priced& priced) {
@@ -128,11 +129,10 @@ std::string effect_text(const Priced& priced) {
 }
 
 std::string tip_of(const Priced& priced, const MeasuredPrices& prices) {
-    std::string text =
-        priced.part.label + ".\nWithout it the flag takes " + cost_text(priced, prices.resolution) + " less time";
+    std::string text = priced.part.label + ".\nIt costs " + cost_text(priced) + " of the time";
     if (priced.effect.is_measured)
-        text += fmt::format(", and after {} its masses are {} elsewhere (root mean square)",
-                            quantity(prices.seconds, "s"), effect_text(priced));
+        text += fmt::format("; without it masses are {} elsewhere after {} (root mean square)", effect_text(priced),
+                            quantity(prices.seconds, "s"));
     text += ".";
     if (!priced.remark.empty()) text += "\n" + as_sentence(priced.remark);
     return text;
@@ -161,7 +161,7 @@ void draw_price_rows(AppState& app, Widgets& widgets) {
             app.scene = findings.reduced = without(prices, findings.left_out, app.scene);
         }
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(cost_text(priced, prices.resolution).c_str());
+        ImGui::TextUnformatted(cost_text(priced).c_str());
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(effect_text(priced).c_str());
     }

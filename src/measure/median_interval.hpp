@@ -16,7 +16,7 @@
 #include <cmath>
 #include <vector>
 
-namespace drapeau::bench {
+namespace drapeau {
 
 struct MedianInterval {
     double median, low, high;
@@ -55,4 +55,4 @@ inline MedianInterval median_interval(std::vector<double> draws) {
             .coverage = coverage_of_order_statistics(n, k)};
 }
 
-}  // namespace drapeau::bench
+}  // namespace drapeau
