@@ -1,8 +1,9 @@
 #include "converge.hpp"
 
-#include "commands.hpp"
+#include "basis_records.hpp"
 #include "converge_conclusion.hpp"
 #include "converge_plot.hpp"
+#include "converge_records.hpp"
 #include "converge_report.hpp"
 #include "exit_status.hpp"
 #include "gnuplot.hpp"
@@ -12,7 +13,9 @@
 #include "io/text_file.hpp"
 #include "lists.hpp"
 #include "measure/same_cloth.hpp"
+#include "merge.hpp"
 #include "outputs.hpp"
+#include "program.hpp"
 #include "progress.hpp"
 #include "report_text.hpp"
 #include "scene/file.hpp"
@@ -24,6 +27,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
 
 namespace drapeau::lab {
 
@@ -80,17 +86,13 @@ Grids finer_grids(const std::string& levels, const Scene& scene) {
     return grids;
 }
 
-ConvergeRequest request_in(const ConvergeOptions& options) {
-    constexpr double most_minutes = 7.0 * 24.0 * 60.0;
+ConvergeRequest request_in(const ConvergeOptions& options, const Scene& scene) {
     ConvergeRequest request;
-    request.batches_are_given = !options.seconds.empty();
-    if (request.batches_are_given) request.batches = batches_option("--seconds", options.seconds, 1);
-    request.settle = static_cast<double>(batches_option("--settle", options.settle, 0)) * batch_seconds;
-    request.budget = 60.0 * number_option("--budget", options.budget, {0.01, most_minutes}, "minutes");
+    read_comparison(options, request);
     request.methods = names_option<Method>("--methods", options.methods, settings::method_names);
     if (request.methods.empty())
         for (std::size_t n = 0; n < method_count; ++n) request.methods.push_back(static_cast<Method>(n));
-    request.scene = scene_in(options.scene, options.set);
+    request.scene = scene;
     if (!options.grids.empty() && !options.levels.empty())
         throw InputError("--levels: it counts grids from the scene's own on; give it or --grids");
     request.grids =
@@ -98,32 +100,95 @@ ConvergeRequest request_in(const ConvergeOptions& options) {
     return request;
 }
 
+struct Outputs {
+    std::string json, plot;  // "" writes none
+
+    std::vector<NamedFile> files() const { return asked_for({{"--json", json}, {"--plot", plot}}); }
+};
+
+int report(const ConvergeRequest& request, const ConvergeFindings& found, const Outputs& outputs) {
+    const std::string text = compared_text(request, found) + "\n" + steps_table(found) + "\n" +
+                             grids_table(request, found) + "\n" + conclusion(found) + "\n";
+    std::fputs(text.c_str(), place_of_table(outputs.files()));
+    if (!outputs.json.empty())
+        write_text_file(outputs.json, [&](const Append& append) { append(as_json(request, found).dump(2) + "\n"); });
+    if (!outputs.plot.empty()) plot(outputs.plot, converge_script(request, found));
+    return exit_good;
+}
+
+int say_diverged(const std::string& how) {
+    complain(program, "the scene diverges " + how);
+    return exit_diverged;
+}
+
+/// A sweep at once, as far as the budget goes.
+int at_once(const ConvergeRequest& request, const Outputs& outputs) {
+    ConvergeSweep sweep(request);
+    const double expected = std::max(sweep.estimate(), 1e-3);
+    complain(program, fmt::format("{} and {}, about {}, at most {}", counted(request.methods.size(), "method"),
+                                  counted(request.grids.size(), "grid"), duration(expected), duration(request.budget)));
+    std::optional<Progress> progress(std::in_place);
+    const auto tick = [&] { progress->show(std::min(0.99, sweep.elapsed() / expected)); };
+    const auto diverged = sweep.prepare(tick);
+    ConvergeFindings found;
+    if (!diverged) found = sweep.measure(tick);
+    progress.reset();
+    return diverged ? say_diverged(*diverged) : report(sweep.request(), found, outputs);
+}
+
+/// A sweep, or a shard of one, whose points are kept as they are done. The whole ends as one at once does.
+int in_parts(const ConvergeOptions& options, const ConvergeRequest& request, const Outputs& outputs,
+             const Shard& shard) {
+    ConvergeSweep sweep(request);
+    PartFile file(options.part, identity_of(options, request), shard);
+    const std::vector<ConvergePoint> points = sweep.points();
+    std::vector<ConvergePoint> missing;
+    const std::vector<std::size_t> places = shard.places(points.size());
+    for (const std::size_t n : places)
+        if (!file.has(points[n].key)) missing.push_back(points[n]);
+    complain(program, fmt::format("shard {}: {} of {}, {} of them done, about {} if the shard were the whole",
+                                  shard.text(), places.size(), counted(points.size(), "point"),
+                                  places.size() - missing.size(), duration(sweep.estimate())));
+    std::optional<Progress> progress(std::in_place);
+    double done = 0.0;
+    const auto tick = [&] { progress->show(done / static_cast<double>(missing.size() + 1)); };
+    if (const auto how = sweep.prepare(tick)) {
+        progress.reset();
+        return say_diverged(*how);
+    }
+    file.set_basis(basis_json(sweep.basis()));
+    for (const ConvergePoint& point : missing) {
+        done += 1.0;
+        file.add(point.key, nullptr, result_of(sweep, point, tick));
+    }
+    progress.reset();
+    return shard.is_whole() ? report(sweep.request(), findings_in(file.part(), sweep), outputs)
+                            : say_shard_is_done(file.part());
+}
+
 }  // namespace
 
 int converge(const ConvergeOptions& options) {
-    const ConvergeRequest request = request_in(options);
-    const std::vector<NamedFile> outputs = asked_for({{"--json", options.json}, {"--plot", options.plot}});
-    check_outputs({{"the scene", find_scene(options.scene).string()}}, outputs);
+    const ConvergeRequest request = request_in(options, scene_in(options.scene, options.set));
+    const Outputs outputs{options.json, options.plot};
+    const Shard shard = shard_of(options.part, outputs.files());
+    check_outputs({{"the scene", find_scene(options.scene).string()}}, with_part(outputs.files(), options.part));
     check_plot("--plot", options.plot);
+    return request.counts_work ? in_parts(options, request, outputs, shard) : at_once(request, outputs);
+}
+
+int merge_converge(const Joined& joined, const MergeOptions& merging) {
+    if (!merging.write.empty()) throw InputError("--write: orders of convergence have no setting to save");
+    const ConvergeOptions options = options_of_converge(joined.all.sweep);
+    ConvergeRequest request = request_in(options, parse_scene(joined.all.sweep.scene, joined.all.file + ", its scene"));
+    request.counts_work = true;
     ConvergeSweep sweep(request);
-    complain(program, fmt::format("{} methods and {} grids, about {}, at most {}", request.methods.size(),
-                                  request.grids.size(), duration(sweep.estimate()), duration(request.budget)));
-    ConvergeFindings found;
-    {
-        Progress progress;
-        found = sweep.find([&](double share) { progress.show(share); });
+    if (const auto missing = joined.missing(keys_of(sweep.points()))) {
+        complain(program, *missing);
+        return exit_not_met;
     }
-    if (found.diverged) {
-        complain(program, "the scene diverges while it swings in, at rk4's automatic step: " + *found.diverged);
-        return exit_diverged;
-    }
-    const std::string text = compared_text(request, found) + "\n" + steps_table(found) + "\n" +
-                             grids_table(request, found) + "\n" + conclusion(found) + "\n";
-    std::fputs(text.c_str(), place_of_table(outputs));
-    if (!options.json.empty())
-        write_text_file(options.json, [&](const Append& append) { append(as_json(request, found).dump(2) + "\n"); });
-    if (!options.plot.empty()) plot(options.plot, converge_script(request, found));
-    return exit_good;
+    use_basis(joined.all, [&](const Json& basis) { sweep.restore(basis_in(basis)); });
+    return report(sweep.request(), findings_in(joined.all, sweep), {merging.json, merging.plot});
 }
 
 }  // namespace drapeau::lab

@@ -2,22 +2,20 @@
 // none what prevents it.
 #pragma once
 
+#include "comparison_options.hpp"
+
 #include <string>
-#include <vector>
 
 namespace drapeau::lab {
 
-struct ConvergeOptions {
-    std::string scene;             // a path or the name of a shipped scene
-    std::vector<std::string> set;  // "KEY=VALUE", instead of what the scene says
-    std::string methods;           // separated by commas; "" is every one there is
-    std::string grids;             // 23x15,45x29,89x57; "" is the scene's own and finer ones
-    std::string levels;            // how many of those; "" is 4
-    std::string settle = "0";      // s
-    std::string seconds;           // s; "" is 0.5, or less where the motion is chaotic
-    std::string budget = "2";      // minutes
-    std::string json;              // a file to write; "" writes none
-    std::string plot;              // a picture, .svg or .png; "" draws none
+struct ConvergeOptions : ComparisonOptions {
+    ConvergeOptions() { settle = "0"; }
+
+    std::string methods;  // separated by commas; "" is every one there is
+    std::string grids;    // 23x15,45x29,89x57; "" is the scene's own and finer ones
+    std::string levels;   // how many of those; "" is 4
+    std::string json;     // a file to write; "" writes none
+    std::string plot;     // a picture, .svg or .png; "" draws none
 };
 
 /// The exit status: good or diverged. Throws InputError for bad input, before anything is computed or written.

@@ -20,6 +20,9 @@ constexpr const char* converge_notes =
     "borders "
     "as\n"
     "heavy as the inside, a stretch limit, rounding. What does not fit the budget is left out, the finest first.\n\n"
+    "With --part each method, grid, and grid with light borders is kept as soon as it is measured, and --budget is "
+    "work\n"
+    "of the whole sweep at 4 ns for a step of one mass, not time: methods share it evenly.\n\n"
     "Example: drapeau-lab converge drum --methods leapfrog,rk4 --levels 4\n"
     "Exit status: 0 good (whether it converges or not), 2 bad input, 3 diverged.";
 
@@ -36,12 +39,7 @@ Job add_converge(CLI::App& command) {
     command.add_option("--grids", options.grids, "Three grids or more, each with the cells of the one before halved")
         ->type_name("COLUMNSxROWS,...");
     command.add_option("--levels", options.levels, "Or so many, from the scene's own grid on (4)")->type_name("N");
-    command.add_option("--settle", options.settle, "Time to swing in before, s (0)")->type_name("T");
-    command
-        .add_option("--seconds", options.seconds, "Time compared, s (0.5, or half the chaos horizon if that is less)")
-        ->type_name("T");
-    command.add_option("--budget", options.budget, "Time it may take, minutes (2)")->type_name("MINUTES");
-    add_assignments(command, options.set);
+    add_comparison_options(command, options);
     take_as_path(command.add_option("--json", options.json, "Write the results as one JSON object")->type_name("FILE"));
     add_plot_option(command, options.plot, "Draw differences over step and cell");
     return [given] { return converge(*given); };

@@ -16,6 +16,16 @@ std::string order_text(double order) {
     return std::isfinite(order) ? fmt::format("{:.2f}", order) : "-";
 }
 
+/// " The ratios disagree (orders 0.80, then 2.10): finer grids may show another.", or nothing.
+std::string disagreement_text(const GridConvergence& grids) {
+    if (!grids.do_orders_disagree()) return "";
+    std::string orders;
+    for (const double order : grids.orders()) orders += (orders.empty() ? "" : ", then ") + order_text(order);
+    return " The grids' ratios disagree (orders " + orders + "): finer ones may show another order.";
+}
+
+constexpr const char* limit_text = "the stretch limit moves masses after each step, by how much depends on the cells";
+
 /// "26 1/s on 45 x 30, 51 1/s on 89 x 59"
 std::string rates_text(const GridConvergence& grids) {
     std::string text;
@@ -26,7 +36,7 @@ std::string rates_text(const GridConvergence& grids) {
     return text;
 }
 
-std::string on_grids(const GridConvergence& grids) {
+std::string verdict_text(const GridConvergence& grids) {
     using Verdict = GridConvergence::Verdict;
     if (grids.levels.empty()) return "No grid was measured: --budget does not suffice for one.";
     const GridLevel& finest = grids.levels.back();
@@ -43,18 +53,21 @@ std::string on_grids(const GridConvergence& grids) {
         case Verdict::by_borders:
             return fmt::format(
                 "Finer grids converge, at order {} only: borders are as heavy and as stiff as the inside (as light as "
-                "their share of the cloth they would differ by {} instead of {}). {}.",
-                order_text(grids.order()), metres(grids.difference_by_light_borders), metres(finest.difference),
-                converging());
+                "their share of the cloth they would differ by {} instead of {}){}. {}.",
+                order_text(grids.order()), metres(grids.light_difference()), metres(finest.difference),
+                grids.is_limit_active() ? std::string("; and ") + limit_text : "", converging());
+        case Verdict::by_limit:
+            return fmt::format("Finer grids converge, at order {} only: {}. {}.", order_text(grids.order()), limit_text,
+                               converging());
         case Verdict::slowly:
             return fmt::format(
                 "Finer grids converge, at order {} only: as where a sudden start or corners make fronts "
                 "sharper than the cells{}. {}.",
                 order_text(grids.order()),
                 grids.is_border_held ? " (borders are held: they are not the cause)"
-                : std::isfinite(grids.order_by_light_borders)
+                : std::isfinite(grids.light_order())
                     ? fmt::format(" (borders are not the cause: light ones give order {})",
-                                  order_text(grids.order_by_light_borders))
+                                  order_text(grids.light_order()))
                     : "",
                 converging());
         case Verdict::no_matter:
@@ -74,14 +87,21 @@ std::string on_grids(const GridConvergence& grids) {
                 "statistics.",
                 rates_text(grids));
         case Verdict::too_coarse:
-            return "These grids do not converge yet, and neither compression nor chaos is the cause: they are too "
-                   "coarse for what moves. Measure finer ones (--levels, --budget).";
+            return grids.is_limit_active()
+                       ? fmt::format("These grids do not converge: {}. Measure without the limit, or finer grids.",
+                                     limit_text)
+                       : "These grids do not converge yet, and neither compression nor chaos is the cause: they are "
+                         "too coarse for what moves. Measure finer ones (--levels, --budget).";
         case Verdict::unknown:
             return grids.left_out.empty()
                        ? "No order of grids: it takes three, and finer ones of this cloth are impossible."
                        : "No order of grids: it takes three, and --budget suffices for fewer.";
     }
     return "";
+}
+
+std::string on_grids(const GridConvergence& grids) {
+    return verdict_text(grids) + disagreement_text(grids);
 }
 
 std::string joined(const std::vector<std::string>& names) {

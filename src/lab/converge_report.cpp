@@ -78,10 +78,15 @@ std::string flag_text(const GridLevel& level, const GridConvergence& grids) {
     return flag == "converging" ? flag : "not converging yet";
 }
 
-constexpr const char* grid_verdicts[] = {"converges",        "converges, borders lower the order",
-                                         "converges slowly", "no matter",
-                                         "compression",      "chaos",
-                                         "too coarse",       "too few grids"};
+constexpr const char* grid_verdicts[] = {"converges",
+                                         "converges, borders lower the order",
+                                         "converges, the stretch limit lowers the order",
+                                         "converges slowly",
+                                         "no matter",
+                                         "compression",
+                                         "chaos",
+                                         "too coarse",
+                                         "too few grids"};
 
 }  // namespace
 
@@ -90,9 +95,9 @@ std::string compared_text(const ConvergeRequest& request, const ConvergeFindings
     std::string text =
         fmt::format("{}: {} compared, from its own start ({}) on{}\n", request.scene.name, quantity(found.seconds, "s"),
                     start, request.settle > 0.0 ? ", after " + quantity(request.settle, "s") + " to swing in" : "");
-    text += fmt::format("reference: rk4 in double at {}, known to {} (rms)\n",
+    text += fmt::format("reference: rk4 in double at {}, {}\n",
                         quantity(batch_seconds / static_cast<double>(found.reference.rk4_steps), "s"),
-                        metres(found.reference.error()));
+                        known_text(found.reference.error(), found.is_beyond_horizon()));
     if (found.growth.is_seen())
         text += fmt::format("chaos: what is apart becomes tenfold every {}: 1 nm becomes 1 mm in {}{}\n",
                             quantity(std::log(10.0) / found.growth.rate, "s", 2), quantity(found.horizon(), "s", 2),
@@ -132,9 +137,9 @@ std::string grids_table(const ConvergeRequest& request, const ConvergeFindings& 
     std::string text =
         "grids, each with half the cells of the one before, from one smooth start; difference: from that one\n" +
         aligned(rows);
-    if (std::isfinite(grids.error_in_time))
-        text +=
-            fmt::format("(flown by rk4; on the coarsest grid half the step changes {})\n", metres(grids.error_in_time));
+    if (std::isfinite(grids.error_in_time()))
+        text += fmt::format("(flown by rk4; on the coarsest grid half the step changes {})\n",
+                            metres(grids.error_in_time()));
     for (const auto& [columns, rows_left, seconds] : grids.left_out)
         text += fmt::format("left out: {} x {}: it takes about {}, more than --budget leaves\n", columns, rows_left,
                             duration(seconds));
@@ -142,10 +147,12 @@ std::string grids_table(const ConvergeRequest& request, const ConvergeFindings& 
 }
 
 nlohmann::ordered_json as_json(const ConvergeRequest& request, const ConvergeFindings& found) {
-    nlohmann::ordered_json json{
-        {"scene", request.scene.name},  {"settle_s", request.settle},
-        {"seconds", found.seconds},     {"growth_per_s", found.growth.is_seen() ? found.growth.rate : NAN},
-        {"horizon_s", found.horizon()}, {"reference_error_m", found.reference.error()}};
+    nlohmann::ordered_json json{{"scene", request.scene.name},
+                                {"settle_s", request.settle},
+                                {"seconds", found.seconds},
+                                {"growth_per_s", found.growth.is_seen() ? found.growth.rate : NAN},
+                                {"horizon_s", found.horizon()},
+                                {"reference_error_m", found.is_beyond_horizon() ? NAN : found.reference.error()}};
     auto& methods = json["methods"] = nlohmann::ordered_json::array();
     auto& steps = json["steps"] = nlohmann::ordered_json::array();
     for (const MethodConvergence& method : found.steps) {
@@ -178,9 +185,9 @@ nlohmann::ordered_json as_json(const ConvergeRequest& request, const ConvergeFin
     auto& left_out = json["left_out_grids"] = nlohmann::ordered_json::array();
     for (const auto& [columns, rows, seconds] : found.grids.left_out)
         left_out.push_back({{"columns", columns}, {"rows", rows}, {"flight_s", seconds}});
-    json["light_borders"] = {{"order", found.grids.order_by_light_borders},
-                             {"difference_m", found.grids.difference_by_light_borders}};
+    json["light_borders"] = {{"order", found.grids.light_order()}, {"difference_m", found.grids.light_difference()}};
     json["grids_verdict"] = grid_verdicts[static_cast<int>(found.grids.verdict)];
+    json["orders_disagree"] = found.grids.do_orders_disagree();
     json["conclusion"] = conclusion(found);
     return json;
 }

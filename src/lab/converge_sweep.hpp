@@ -2,6 +2,8 @@
 #pragma once
 
 #include "grid_convergence.hpp"
+#include "measure/basis.hpp"
+#include "measure/comparison_request.hpp"
 #include "step_convergence.hpp"
 
 #include <functional>
@@ -12,26 +14,30 @@
 
 namespace drapeau::lab {
 
-struct ConvergeRequest {
-    Scene scene;
+struct ConvergeRequest : ComparisonRequest {
     std::vector<Method> methods;
     std::vector<std::pair<int, int>> grids;
-    double settle = 0.0;             // s
-    long long batches = 30;          // of 1/60 s, compared
-    bool batches_are_given = false;  // else fewer where the motion is chaotic
-    double budget = 120.0;           // s of time on the wall
 };
 
 struct ConvergeFindings {
-    std::optional<std::string> diverged;  // how, while it swung in
-    double seconds = 0.0;                 // compared
-    bool is_shortened = false;            // for the motion is chaotic
-    Growth growth;                        // on the scene's own grid
-    ReferenceFlight reference;            // there
+    double seconds = 0.0;       // compared
+    bool is_shortened = false;  // for the motion is chaotic
+    Growth growth;              // on the scene's own grid
+    ReferenceFlight reference;  // there
     std::vector<MethodConvergence> steps;
     GridConvergence grids;
 
     double horizon() const { return growth.horizon(1e-3); }  // s
+    bool is_beyond_horizon() const { return horizon() < seconds; }
+};
+
+/// What can be measured by itself: a method's steps, a grid, or a grid once more with light borders.
+struct ConvergePoint {
+    enum class Kind { steps, grid, light_borders };
+
+    Kind kind = Kind::steps;
+    std::size_t place = 0;  // of the method, or of the grid
+    std::string key;        // stable: "rk4", "grid 45x30", "light borders 45x30"
 };
 
 class ConvergeSweep {
@@ -40,21 +46,43 @@ public:
     /// for the reference.
     explicit ConvergeSweep(const ConvergeRequest& request);
 
-    double estimate() const;  // s of time on the wall, at most the budget
-    ConvergeFindings find(const std::function<void(double)>& tick);
+    const ConvergeRequest& request() const { return request_; }
+    double estimate() const;  // s of time on the wall, of everything
+
+    /// Lets the scene swing in and flies its reference. Returns how it diverged, if it did.
+    std::optional<std::string> prepare(const std::function<void()>& tick);
+    /// s on the wall since the sweep was made.
+    double elapsed() const;
+
+    /// All methods, then all grids, while the budget lasts.
+    ConvergeFindings measure(const std::function<void()>& tick);
+
+    // Where work is counted, each by itself. Methods share their part of the budget evenly.
+    std::vector<ConvergePoint> points() const;
+    MethodConvergence steps_of(Method method, const std::function<void()>& tick);
+    /// For functions of grids.
+    GridRequest grid_request(double seconds) const;
+    GridRequest counted_grid_request() const;
+
+    /// What prepare() found; and the same taken from elsewhere, for a report.
+    Basis basis() const;
+    void restore(const Basis& basis);
+    const ConvergeFindings& found() const { return found_; }
 
 private:
-    double elapsed() const;
     double left() const { return request_.budget - elapsed(); }
     double least_of_reference() const;
-    GridRequest grid_request() const;
-    StepGround ground_of(const Stretch& stretch, Yardstick& yardstick, const ConvergeFindings& found) const;
+    StepGround ground(const std::function<void()>& tick);
     std::vector<MethodConvergence> all_methods(const StepGround& ground) const;
 
     ConvergeRequest request_;
     Model model_;
-    double unit_ = 0.0;  // s, what one unit of step_cost takes in double
+    double unit_ = 0.0;  // s, what one unit of step_cost takes in double, or counts for
+    double pace_ = 1.0;  // s here for a s as work is counted
     double began_ = 0.0;
+    Stretch stretch_;
+    Yardstick yardstick_;
+    ConvergeFindings found_;
 };
 
 }  // namespace drapeau::lab

@@ -16,7 +16,8 @@ struct Merger {
     const char* command;
     int (*merge)(const Joined&, const MergeOptions&);
 };
-constexpr Merger mergers[] = {{"trade", merge_trade}, {"price", merge_price}, {"stability", merge_stability}};
+constexpr Merger mergers[] = {
+    {"trade", merge_trade}, {"price", merge_price}, {"converge", merge_converge}, {"stability", merge_stability}};
 
 void check_files(const MergeOptions& options) {
     std::vector<NamedFile> inputs;

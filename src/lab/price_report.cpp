@@ -125,8 +125,9 @@ std::string compared_text(const PriceStudy& study) {
     std::string text = fmt::format("{}: {} compared, after {} to swing in; flown by rk4 in double at {}\n",
                                    ground.variant.scene.name, span_of(study), quantity(ground.stretch.time, "s"),
                                    quantity(batch_seconds / static_cast<double>(ground.reference.rk4_steps), "s"));
-    text += fmt::format("  so the scene's own motion is known to {} (rms), which leapfrog confirms\n",
-                        metres(ground.reference.error()));
+    if (!study.is_beyond_horizon())
+        text += fmt::format("  so the scene's own motion is {}, which leapfrog confirms\n",
+                            known_text(ground.reference.error(), false));
     text += growth_text(study.growth(), study.request().tolerance.value_or(1e-3));
     if (study.is_shortened()) text += shortened_text;
     if (study.is_beyond_horizon())

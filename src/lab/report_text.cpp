@@ -22,6 +22,11 @@ std::string with_error(double value, double error, const std::string& unit, doub
     return rounded(scale * value, 3) + " ± " + doubt + " " + unit;
 }
 
+std::string known_text(double error, bool is_beyond_horizon) {
+    return is_beyond_horizon ? "but past the chaos horizon trajectories are not known"
+                             : "known to " + metres(error) + " (rms)";
+}
+
 std::string growth_text(const Growth& growth, double distance) {
     if (!growth.is_seen())
         return fmt::format("chaos: none seen: what was 1 nm apart is {} apart at the end\n", metres(growth.last));

@@ -15,6 +15,9 @@ std::string metres(double value);
 /// "12.3 ± 0.4 Hz", of a value and its error times `scale`.
 std::string with_error(double value, double error, const std::string& unit, double scale = 1.0);
 
+/// How well a motion is known (m): "known to 14.6 nm (rms)"; past the horizon it is not.
+std::string known_text(double error, bool is_beyond_horizon);
+
 /// How fast neighbouring motions part, and when they are `distance` (m) apart: a line.
 std::string growth_text(const Growth& growth, double distance);
 /// Said where that has shortened the time compared.

@@ -10,8 +10,9 @@
 namespace drapeau::lab {
 
 long long batches_option(const std::string& option, const std::string& text, long long least) {
-    constexpr double longest = 3600.0, rounding = 1e-3;
-    const double seconds = number_option(option, text, {least > 0 ? 0.0166 : 0.0, longest}, "seconds");
+    constexpr double longest = 3600.0, rounding = 1e-3;  // s; batches
+    constexpr double shortest_one = 0.01666;             // s: one batch, but for that rounding
+    const double seconds = number_option(option, text, {least > 0 ? shortest_one : 0.0, longest}, "seconds");
     const double batches = seconds / batch_seconds, whole = std::round(batches);
     if (std::abs(batches - whole) <= rounding) return std::llround(whole);
     refuse(option, text,

@@ -1,7 +1,7 @@
 #include "step_convergence.hpp"
 
 #include "io/text.hpp"
-#include "measure/clocks.hpp"
+#include "measure/work_clock.hpp"
 #include "run/error_estimate.hpp"
 
 #include "drapeau/stability.hpp"
@@ -36,16 +36,6 @@ double floor_of(const StepGround& ground) {
     return digits * size * ground.growth.amplification(ground.stretch.seconds());
 }
 
-/// Whether the stretch limit moved masses: some spring was as long as it allows.
-bool is_limit_active(const StepGround& ground) {
-    const auto& limit = ground.model.limits.get<StretchLimit>();
-    if (!limit) return false;
-    constexpr double near = 0.99;
-    const auto& readings = ground.reference.by_rk4.readings;
-    return std::any_of(readings.begin(), readings.end(),
-                       [&](const Reading& reading) { return reading.stretch >= near * limit->stretch; });
-}
-
 /// The cosine between what halving the step changed last (to `fine`) and before (from `coarse`), over all free masses
 /// and samples.
 double alignment_of(const Model& model, const Flight& coarse, const Flight& middle, const Flight& fine) {
@@ -68,7 +58,7 @@ Flag flag_of(const StepRung& rung, int declared, const StepGround& ground) {
     if (std::abs(rung.order - declared) <= as_declared) return Flag::asymptotic;
     if (rung.difference <= floor_of(ground)) return Flag::rounding;
     if (ground.growth.is_seen() && rung.alignment < unlike && rung.order < low * declared) return Flag::chaos;
-    if (rung.order < declared && is_limit_active(ground)) return Flag::limit;
+    if (rung.order < declared && is_limit_active(ground.model, ground.reference.by_rk4)) return Flag::limit;
     return Flag::pre_asymptotic;
 }
 
@@ -116,7 +106,8 @@ double least_seconds(Method method, const StepGround& ground) {
 
 MethodConvergence converge_in_step(Method method, const StepGround& ground, double seconds) {
     constexpr int most_rungs = 14;
-    const double began = wall_seconds(), least = least_seconds(method, ground);
+    const double least = least_seconds(method, ground), a_step = step_cost(ground.model, method);
+    WorkClock clock(ground.counts_work ? ground.unit : 0.0);
     MethodConvergence found{.method = method, .declared = order_of(method), .rungs = {}, .left_out = {}};
     if (least > seconds) {
         found.left_out = "three runs from steps of " +
@@ -129,18 +120,19 @@ MethodConvergence converge_in_step(Method method, const StepGround& ground, doub
     double last_difference = NAN, last_cost = 0.0;
     for (long long steps = first_count(method, ground.model); !is_settled(found.rungs); steps *= 2) {
         if (static_cast<int>(found.rungs.size()) == most_rungs) break;
-        if (wall_seconds() - began + 2.0 * last_cost > seconds) {
+        if (clock.spent() + 2.0 * last_cost > seconds) {
             found.left_out = "smaller steps take longer than --budget leaves";
             break;
         }
-        const double start = wall_seconds();
+        const double start = clock.spent();
         bool is_late = false;
         auto flight = fly(ground.model, method, steps, ground.stretch, ground.yardstick, [&] {
             if (ground.tick) ground.tick();
-            is_late = wall_seconds() - began > 1.5 * seconds;
+            clock.count(static_cast<double>(steps) * a_step);
+            is_late = clock.spent() > 1.5 * seconds;
             return !is_late;
         });
-        last_cost = wall_seconds() - start;
+        last_cost = clock.spent() - start;
         if (is_late) {
             found.left_out = "smaller steps take longer than --budget leaves";
             break;

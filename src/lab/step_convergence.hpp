@@ -44,12 +44,13 @@ struct StepGround {
     Yardstick& yardstick;
     const ReferenceFlight& reference;
     const Growth& growth;
-    double unit = 0.0;             // s, of step_cost (measured_unit)
+    double unit = 0.0;             // s, of step_cost: as measured, or as work is counted
+    bool counts_work = false;      // instead of time
     std::function<void()> tick{};  // called after every batch
 };
 
 /// Halves the step of the method, from its automatic one on, until two orders in a row are the declared one, halving
-/// shows nothing but rounding, or `seconds` (on the wall) are over.
+/// shows nothing but rounding, or `seconds` (on the wall, or of counted work) are over.
 MethodConvergence converge_in_step(Method method, const StepGround& ground, double seconds);
 
 /// What three runs at the method's largest steps take, about (s).

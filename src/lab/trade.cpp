@@ -39,8 +39,8 @@ std::optional<int> prepared(TradeSweep& sweep, const TradeOptions& options, cons
 /// A sweep at once, as far as the budget goes.
 int at_once(const TradeOptions& options, const TradeRequest& request, const TradeOutputs& outputs) {
     TradeSweep sweep(request);
-    complain(program, fmt::format("{} settings, about {}, at most {}", sweep.count(), duration(sweep.estimate()),
-                                  duration(request.budget)));
+    complain(program, fmt::format("{}, about {}, at most {}", counted(sweep.count(), "setting"),
+                                  duration(sweep.estimate()), duration(request.budget)));
     TradeFindings findings;
     {
         Progress progress;

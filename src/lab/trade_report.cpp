@@ -136,20 +136,22 @@ std::string reference_text(const TradeSweep& sweep) {
     const auto step = [](long long steps) { return quantity(batch_seconds / static_cast<double>(steps), "s"); };
     std::string text = fmt::format("{}: {} compared, after {} to swing in\n", ground.variant.scene.name,
                                    quantity(ground.stretch.seconds(), "s"), quantity(ground.stretch.time, "s"));
-    text += fmt::format(
-        "reference: rk4 in double at {}; leapfrog in double, extrapolated from {} and coarser, is {} from it\n",
-        step(reference.rk4_steps), step(reference.leapfrog_steps), metres(reference.methods_apart));
-    text += fmt::format("  so the motion is known to {} (rms); rk4 is judged by leapfrog, all others by rk4\n",
-                        metres(reference.error()));
+    const bool beyond = sweep.is_beyond_horizon();
+    text += fmt::format("reference: rk4 in double at {}; leapfrog in double, extrapolated from {} and coarser{}\n",
+                        step(reference.rk4_steps), step(reference.leapfrog_steps),
+                        beyond ? "" : ", is " + metres(reference.methods_apart) + " from it");
+    if (!beyond)
+        text += fmt::format("  so the motion is {}; rk4 is judged by leapfrog, all others by rk4\n",
+                            known_text(reference.error(), false));
     text += growth_text(growth, sweep.request().tolerance.value_or(1e-3));
     if (sweep.is_shortened()) text += shortened_text;
-    if (sweep.is_beyond_horizon()) {
+    if (beyond) {
         text += beyond_text(ground.stretch, sweep.horizon());
         text += "reference: " + statistics_text(tip_of(ground.model), sweep.reference_tip());
     }
     for (std::size_t n = 1; n < sweep.grounds().size(); ++n)
-        text += fmt::format("{}: its own reference is known to {}\n", label_of(sweep.variants()[n]),
-                            metres(sweep.grounds()[n].reference.error()));
+        text += fmt::format("{}: its own reference is {}\n", label_of(sweep.variants()[n]),
+                            known_text(sweep.grounds()[n].reference.error(), beyond));
     if (sweep.grounds().size() > 1)
         text +=
             "  errors are from the motion of the scene as given, at its masses (other grids are interpolated to them;\n"

@@ -99,6 +99,13 @@ std::optional<Flight> fly(const Model& model, Method method, long long steps_a_b
     return flight;
 }
 
+bool is_limit_active(const Model& model, const Flight& flight) {
+    constexpr double near = 0.99;
+    const auto& limit = model.limits.get<StretchLimit>();
+    return limit && std::any_of(flight.readings.begin(), flight.readings.end(),
+                                [&](const Reading& reading) { return reading.stretch >= near * limit->stretch; });
+}
+
 Flight extrapolated(const Flight& coarse, const Flight& fine, int order) {
     const double gain = std::pow(2.0, order) - 1.0;
     Flight better;

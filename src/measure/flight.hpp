@@ -64,6 +64,9 @@ std::optional<Flight> fly(const Model& model, Method method, long long steps_a_b
                           Precision precision = Precision::double_precision,
                           const std::function<void(const State<double>&)>& look = {});
 
+/// Whether the stretch limit moved masses at a sample: some spring was as long as it allows.
+bool is_limit_active(const Model& model, const Flight& flight);
+
 /// Two flights without what their errors have in common that shrinks with step^order, `fine` having half the step of
 /// `coarse`.
 Flight extrapolated(const Flight& coarse, const Flight& fine, int order);

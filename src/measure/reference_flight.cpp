@@ -2,7 +2,7 @@
 
 #include "io/error.hpp"
 #include "io/text.hpp"
-#include "measure/clocks.hpp"
+#include "measure/work_clock.hpp"
 
 #include "drapeau/stability.hpp"
 
@@ -68,18 +68,16 @@ public:
     }
 
 private:
-    /// s on the wall, or as work is counted, since the search began.
-    double spent() const { return limits_.unit > 0.0 ? counted_ : wall_seconds() - began_; }
-    bool has_time_for(double seconds) const { return spent() + seconds <= limits_.seconds; }
+    bool has_time_for(double seconds) const { return clock_.spent() + seconds <= limits_.seconds; }
     /// A flight takes a few seconds at most before the progress bar moves; three times its share of time ends it.
     std::optional<Flight> flown(Method method, long long steps, const Stretch& stretch) {
-        const double before = spent(), a_batch = limits_.unit * static_cast<double>(steps) * step_cost(model_, method);
+        const double before = clock_.spent(), a_batch = static_cast<double>(steps) * step_cost(model_, method);
         auto flight = fly(model_, method, steps, stretch, yardstick_, [&] {
-            counted_ += a_batch;
+            clock_.count(a_batch);
             if (limits_.tick) limits_.tick();
             return has_time_for(-2.0 * limits_.seconds);
         });
-        last_cost_ = spent() - before;
+        last_cost_ = clock_.spent() - before;
         return flight;
     }
 
@@ -156,8 +154,7 @@ private:
     const Stretch& stretch_;
     Yardstick& yardstick_;
     const ReferenceLimits& limits_;
-    const double began_ = wall_seconds();
-    double counted_ = 0.0;    // s, of the work of all flights
+    WorkClock clock_{limits_.unit};
     double last_cost_ = 0.0;  // s, of the last flight
 };
 

@@ -75,7 +75,7 @@ void check_float_step(double dt, double honest, double given) {
     const double smallest = hopeless_float_step * honest;
     if (dt >= smallest) return;
     const bool has_larger = smallest < batch_seconds;
-    throw InputError("time.dt = " + shortest(given) + ": in float nothing is left of so slow a motion" +
+    throw InputError("time.dt = " + quantity(given, "s") + ": in float nothing is left of so slow a motion" +
                      (has_larger ? " at steps below " + quantity(smallest, "s") : "") +
                      "; give time.precision = \"double\"" + (has_larger ? " or larger steps" : ""));
 }

@@ -1,6 +1,7 @@
 #include "scene/check.hpp"
 
 #include "io/error.hpp"
+#include "io/text.hpp"
 #include "scene/file.hpp"
 #include "scene/settings.hpp"
 
@@ -19,6 +20,17 @@ double memory_allowed() {
     return machine > 0.0 ? std::min(most, machine) : most;
 }
 
+/// A value as it was given; one that was computed, and has more digits than anybody types, rounded and with its unit.
+template <class Value>
+std::string given_text(const Value& value, const settings::About& about) {
+    std::string text = settings::value_text(value);
+    if constexpr (std::is_same_v<Value, double>) {
+        constexpr std::size_t typed_at_most = 15;
+        if (text.size() > typed_at_most) text = quantity(value, about.unit);
+    }
+    return text;
+}
+
 std::optional<SceneFault> find_value_out_of_range(const Scene& scene) {
     using namespace settings;
     std::optional<SceneFault> fault;
@@ -30,9 +42,9 @@ std::optional<SceneFault> find_value_out_of_range(const Scene& scene) {
             if (fault || is_allowed(value, field.range)) return;
             std::string text;
             if constexpr (requires { value.has_value(); }) {
-                text = value_text(*value);
+                text = given_text(*value, field.about);
             } else if constexpr (!std::is_enum_v<std::decay_t<decltype(value)>>) {
-                text = value_text(value);
+                text = given_text(value, field.about);
             }
             fault = SceneFault{table, std::string(field.key), text, allowed_text(field)};
         });
