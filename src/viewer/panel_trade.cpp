@@ -10,7 +10,10 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 
 namespace drapeau {
 
@@ -128,6 +131,17 @@ std::string effect_text(const Priced& priced) {
     return rounded(1e3 * priced.effect.apart.distance(), 2) + " mm";
 }
 
+/// "springs.diagonal_stiffness" for a person, who sees no table: "Diagonal stiffness".
+std::string part_name(const ScenePart& part) {
+    if (part.key == "flag") return "Fine grid";
+    if (part.key == "time.precision") return "Double precision";
+    constexpr std::string_view springs = "springs.";
+    std::string name = part.key.starts_with(springs) ? part.key.substr(springs.size()) : part.key;
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == '.' || c == '_'; }, ' ');
+    return capitalised(name);
+}
+
 std::string tip_of(const Priced& priced, const MeasuredPrices& prices) {
     std::string text = priced.part.label + ".\nIt costs " + cost_text(priced) + " of the time";
     if (priced.effect.is_measured)
@@ -153,7 +167,8 @@ void draw_price_rows(AppState& app, Widgets& widgets) {
         const std::string& key = priced.part.key;
         ImGui::TableNextColumn();
         bool on = !findings.left_out.contains(key);
-        if (widgets.toggle(("Part: " + key).c_str(), on, tip_of(priced, prices).c_str(), key.c_str())) {
+        if (widgets.toggle(("Part: " + key).c_str(), on, tip_of(priced, prices).c_str(),
+                           part_name(priced.part).c_str())) {
             if (on)
                 findings.left_out.erase(key);
             else
