@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Spreads a sweep over workers as docs/trade.md says, kills one of them in the middle, lets it go on, joins the parts and
+# Spreads a sweep over workers as docs/laboratory.md says, kills one of them in the middle, lets it go on, joins the parts and
 # compares them with the whole sweep: everything but times must be equal. First by GNU parallel, then as a job array of
 # Slurm, whose daemons run here, on this machine alone.
 #

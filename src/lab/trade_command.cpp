@@ -18,7 +18,7 @@ constexpr const char* trade_notes =
     "becomes a millimetre, or --tolerance, the statistics of the fly end's middle are compared instead.\n\n"
     "With --part each setting is kept as soon as it is measured, and --budget is work of the whole sweep at 4 ns for a "
     "step of\n"
-    "one mass, not time: what is measured is then the same on every machine. docs/trade.md says how to spread it.\n\n"
+    "one mass, not time: what is measured is then the same on every machine. docs/laboratory.md says how to spread it.\n\n"
     "--tolerance is a distance at the end of the time compared (and the rms over it). It is not time.tolerance of "
     "scenes,\n"
     "which is in m per simulated second.\n\n"

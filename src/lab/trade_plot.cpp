@@ -26,25 +26,6 @@ bool is_drawn(const Measured& point) {
     return point.is_measured() && point.error.at_end > 0.0 && point.ms_per_second > 0.0;
 }
 
-/// ms of processor time a simulated second that its steps would take: as those of the same method, of the same
-/// precision if there are some. NAN where none was measured.
-double expected_cost(const TradeFindings& findings, const Measured& diverged) {
-    double nearest = INFINITY, cost = NAN;
-    for (const Measured& other : findings.points) {
-        const bool is_alike = other.point.method == diverged.point.method &&
-                              other.point.variant == diverged.point.variant && is_drawn(other);
-        if (!is_alike) continue;
-        const double ratio =
-            static_cast<double>(diverged.point.steps_a_batch) / static_cast<double>(other.point.steps_a_batch);
-        const double distance =
-            std::abs(std::log(ratio)) + (other.point.precision == diverged.point.precision ? 0.0 : 100.0);
-        if (distance >= nearest) continue;
-        nearest = distance;
-        cost = ratio * other.ms_per_second;
-    }
-    return cost;
-}
-
 struct Frame {
     double left = INFINITY, right = 0.0;  // m
     double bottom = INFINITY, top = 0.0;  // ms/s
@@ -67,7 +48,7 @@ Frame frame_of(const TradeFindings& findings) {
             frame.right = std::max(frame.right, point.error.at_end);
             frame.take_cost(point.ms_per_second);
         } else if (point.outcome == Measured::Outcome::diverged) {
-            const double cost = expected_cost(findings, point);
+            const double cost = expected_cost(findings.points, point);
             frame.has_diverged = frame.has_diverged || cost > 0.0;
             frame.take_cost(cost);
         }
@@ -129,7 +110,7 @@ void add_diverged(Curves& curves, const TradeFindings& findings, const Frame& fr
     std::map<Method, std::string> lines;
     for (const Measured& point : findings.points)
         if (point.outcome == Measured::Outcome::diverged)
-            if (const double cost = expected_cost(findings, point); cost > 0.0)
+            if (const double cost = expected_cost(findings.points, point); cost > 0.0)
                 lines[point.point.method] += line_of(frame.edge, cost);
     for (const auto& [method, text] : lines)
         curves.add(text, fmt::format("with points pt 2 lw 2 ps 1.1 lc rgb '{}' notitle", style_of(method).colour));

@@ -1,4 +1,5 @@
-// Clocks: the processor time this process has used, whatever else the machine does meanwhile, and time on the wall.
+// Clocks: the processor time this thread, or this process, has used, whatever else goes on meanwhile, and time on the
+// wall.
 #pragma once
 
 #include <chrono>
@@ -6,11 +7,14 @@
 
 namespace drapeau {
 
-/// s of processor time of all threads since the process began; only differences mean anything.
-inline double processor_seconds() {
+/// s of processor time of all threads, or of the one that asks; only differences mean anything.
+inline double processor_seconds(clockid_t whose = CLOCK_PROCESS_CPUTIME_ID) {
     timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    clock_gettime(whose, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+inline double thread_seconds() {
+    return processor_seconds(CLOCK_THREAD_CPUTIME_ID);
 }
 
 /// s of time on the wall; likewise.

@@ -28,11 +28,11 @@ FirstRun first_run(const Scene& scene, const Stretch& stretch) {
     FirstRun run;
     try {
         Simulation simulation = simulation_at(scene, stretch);
-        const double before = processor_seconds();
+        const double before = thread_seconds();
         std::optional<Divergence> divergence;
         for (long long batch = 0; batch < stretch.batches && !divergence; ++batch)
             divergence = simulation.advance_batch();
-        const double seconds = processor_seconds() - before;
+        const double seconds = thread_seconds() - before;
         if (!divergence) divergence = simulation.check();
         if (divergence)
             run.cost.remark = divergence->message;

@@ -2,6 +2,7 @@
 
 #include "io/error.hpp"
 #include "io/text.hpp"
+#include "measure/budget.hpp"
 #include "measure/clocks.hpp"
 #include "measure/swing_in.hpp"
 #include "run/step_choice.hpp"
@@ -56,10 +57,7 @@ void PriceStudy::list_times() {
     swing_seconds_ = 2.0 * a_second_ * request_.settle;
     const double least = swing_seconds_ + (for_reference + for_effect * parts) * a_flight;
     if (least > request_.budget)
-        throw InputError(
-            fmt::format("--budget: swinging in and the flights with and without each part take about {} "
-                        "min, and {} min is allowed; allow more, or compare fewer --seconds",
-                        rounded(least / 60.0, 2), rounded(request_.budget / 60.0, 3)));
+        throw BudgetError("swinging in and the flights with and without each part", least, request_.budget);
     const double searches = 1.0 + (request_.tolerance ? 1.5 * parts + 4.0 : parts);
     search_seconds_ = std::max(for_flights * request_.budget / searches, for_reference * a_flight);
     usual_seconds_ = std::min(usual_search * a_flight, search_seconds_);

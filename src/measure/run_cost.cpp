@@ -12,6 +12,7 @@ Simulation simulation_at(Scene scene, const Stretch& stretch) {
     scene.flag.disturbance = 0.0;
     Simulation simulation(scene);
     simulation.put(stretch.start, stretch.time);
+    simulation.use_own_thread();
     return simulation;
 }
 
@@ -26,9 +27,9 @@ double run_cost(const Scene& scene, const Stretch& stretch, int times) {
     double seconds = 0.0;
     for (int time = 0; time < times; ++time) {
         simulation.put(stretch.start, stretch.time);
-        const double before = processor_seconds();
+        const double before = thread_seconds();
         for (long long batch = 0; batch < stretch.batches; ++batch) simulation.advance_batch();
-        seconds += processor_seconds() - before;
+        seconds += thread_seconds() - before;
     }
     return 1e3 * seconds / (times * stretch.seconds());
 }

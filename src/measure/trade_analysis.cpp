@@ -53,6 +53,23 @@ std::vector<OrderFit> orders_of(const std::vector<Measured>& points) {
     return fits;
 }
 
+double expected_cost(const std::vector<Measured>& points, const Measured& diverged) {
+    double nearest = INFINITY, cost = NAN;
+    for (const Measured& other : points) {
+        const bool is_alike = other.point.method == diverged.point.method &&
+                              other.point.variant == diverged.point.variant && other.is_measured();
+        if (!is_alike) continue;
+        const double ratio =
+            static_cast<double>(diverged.point.steps_a_batch) / static_cast<double>(other.point.steps_a_batch);
+        const double distance =
+            std::abs(std::log(ratio)) + (other.point.precision == diverged.point.precision ? 0.0 : 100.0);
+        if (distance >= nearest) continue;
+        nearest = distance;
+        cost = ratio * other.ms_per_second;
+    }
+    return cost;
+}
+
 bool meets(const Measured& point, double tolerance) {
     if (!point.is_measured()) return false;
     const double doubt = point.is_below_resolution() ? 10.0 * point.known_to : 0.0;

@@ -20,6 +20,10 @@ struct OrderFit {
 };
 std::vector<OrderFit> orders_of(const std::vector<Measured>& points);
 
+/// ms of processor time a simulated second that the steps of one that diverged would take: as those of the same method,
+/// of the same precision if there are some. NAN where none was measured.
+double expected_cost(const std::vector<Measured>& points, const Measured& diverged);
+
 /// Whether the error, at the end and over the time, is at most `tolerance` (m), as far as the reference can tell.
 bool meets(const Measured& point, double tolerance);
 

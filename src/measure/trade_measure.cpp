@@ -58,9 +58,9 @@ Measured measure_errors(const TradePoint& point, const Ground& ground, const Gro
         };
         std::optional<Divergence> divergence;
         for (long long batch = 1; batch <= ground.stretch.batches && !divergence; ++batch) {
-            const double before = processor_seconds();
+            const double before = thread_seconds();
             divergence = simulation.advance_batch();
-            measured.first_cost += processor_seconds() - before;
+            measured.first_cost += thread_seconds() - before;
             measured.force_evaluations = evaluations_of(simulation, point.method, batch * point.steps_a_batch);
             if (divergence) break;
             if (!may_go_on()) {

@@ -1,7 +1,7 @@
 #include "measure/trade_sweep.hpp"
 
-#include "io/error.hpp"
 #include "io/text.hpp"
+#include "measure/budget.hpp"
 #include "measure/clocks.hpp"
 #include "measure/swing_in.hpp"
 #include "run/carry_over.hpp"
@@ -45,11 +45,7 @@ TradeSweep::TradeSweep(const TradeRequest& request)
     unit_ = measured_unit(models_.front());
     if (request_.counts_work) pace_ = unit_ / counted_unit, unit_ = counted_unit;
     if (const double least = least_seconds(); least > request_.budget)
-        throw InputError(
-            fmt::format("--budget: swinging in and the reference alone take about {} min, and {} min is allowed; allow "
-                        "more, or compare fewer "
-                        "--seconds",
-                        rounded(least / 60.0, 2), rounded(request_.budget / 60.0, 3)));
+        throw BudgetError("swinging in and the reference alone", least, request_.budget);
     list_affordable();
 }
 
@@ -120,7 +116,7 @@ std::optional<std::string> TradeSweep::prepare(const Tick& tick) {
     for (const Variant& variant : variants_) {
         const bool is_scene = &variant == &variants_.front();
         grounds_.push_back(
-            ground_of(variant, is_scene ? settled : carried_over(settled, variant.scene), time, 0.0, tick));
+            ground_of(variant, is_scene ? settled : carried_over(settled, variant.scene), time, request_.enough, tick));
     }
     const Flight& flight = grounds_.front().reference.by_rk4;
     reference_tip_ = statistics_of(flight.tip, flight.tip_velocity, batch_seconds);

@@ -15,6 +15,7 @@ namespace drapeau {
 
 struct TradeRequest : ComparisonRequest {
     TradeChoice choice;
+    double enough = 0.0;  // m: no better reference is wanted, root mean square
 };
 
 /// Is told the share of the work that is done.

@@ -53,7 +53,9 @@ void ErrorWatch::begin_batch(Mode mode, Engine& engine, const TimeSettings& sett
     };
     try {
         // Without a thread to spare, what is waited for is computed when it is asked for.
-        const auto policy = aside ? std::launch::async : std::launch::async | std::launch::deferred;
+        const auto policy = !spare_thread_ ? std::launch::deferred
+                            : aside        ? std::launch::async
+                                           : std::launch::async | std::launch::deferred;
         job_ = Job{std::move(stop), std::async(policy, std::move(work)), batch_};
     } catch (const std::system_error&) {
     }

@@ -28,6 +28,9 @@ public:
     ErrorWatch(const ErrorWatch&) = delete;
     ~ErrorWatch() { restart(); }
 
+    /// Estimates that are waited for are computed by the thread that asks, when it asks: its processor time is then all
+    /// that the run takes.
+    void use_own_thread() { spare_thread_ = false; }
     /// What is under way is of no use any more; batches are counted anew.
     void restart();
 
@@ -45,6 +48,7 @@ private:
         long long batch = 0;
     };
 
+    bool spare_thread_ = true;
     long long batch_ = 0;
     std::optional<Job> job_;
     std::vector<Job> dropped_;  // told to stop; their end is not waited for until the watch's own

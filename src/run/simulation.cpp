@@ -117,6 +117,9 @@ void Simulation::watch_error(ErrorWatch::Mode mode) {
     run_->error_mode = mode;
     run_->errors.restart();
 }
+void Simulation::use_own_thread() {
+    run_->errors.use_own_thread();
+}
 const std::optional<ErrorEstimate>& Simulation::error() const {
     return run_->error;
 }

@@ -113,6 +113,8 @@ public:
 
     /// Whether errors are measured as the run goes on. With a tolerance they always are, and waited for.
     void watch_error(ErrorWatch::Mode mode);
+    /// What its tolerance needs is computed by the thread that advances it: see ErrorWatch.
+    void use_own_thread();
     /// The newest of them, for the step in use; empty after a change until the next is there.
     const std::optional<ErrorEstimate>& error() const;
     /// This moment, for the next.

@@ -5,9 +5,8 @@
 
 namespace drapeau {
 
-/// Lets every other thread go first; on Linux this thread alone is meant.
-inline void step_aside() {
-    constexpr int below_others = 10;
+/// Lets every other thread go first, the more the further it steps; on Linux this thread alone is meant.
+inline void step_aside(int below_others = 10) {
     static_cast<void>(nice(below_others));
 }
 

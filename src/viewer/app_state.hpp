@@ -2,6 +2,7 @@
 #pragma once
 
 #include "camera.hpp"
+#include "findings.hpp"
 #include "message.hpp"
 #include "run/simulation.hpp"
 #include "scene/scene.hpp"
@@ -21,6 +22,8 @@ struct Commands {
     bool reset_camera = false;
     bool use_safe_step = false;
     bool restart_reference = false;
+    std::optional<Measuring::Subject> measure;
+    bool stop_measuring = false;
     std::optional<std::string> load_scene;           // a path or a shipped name
     std::optional<std::string> load_texture;         // a path; empty: no image
     std::optional<std::string> save_scene;           // a path
@@ -103,6 +106,7 @@ struct AppState {
     Message message;
     std::optional<Question> question;
     Status status;
+    Findings findings;
     Commands commands;
 
     // What the panels took of the window in this frame, in window units.

@@ -19,8 +19,11 @@ void draw_page(AppState& app, PanelMemory& memory, Widgets& widgets) {
         case 2:
             draw_wind_page(app, memory, widgets);
             break;
-        default:
+        case 3:
             draw_time_page(app, memory, widgets);
+            break;
+        default:
+            draw_trade_page(app, widgets);
             break;
     }
 }
@@ -51,11 +54,12 @@ void draw_panel(AppState& app, PanelMemory& memory, Widgets& widgets) {
 
     // Pages share the row equally; readings stay in sight below whichever is open.
     ImGui::Spacing();
-    static constexpr const char* names[] = {"Flag", "Springs", "Wind", "Time"};
+    static constexpr const char* names[] = {"Flag", "Springs", "Wind", "Time", "Trade"};
+    constexpr int count = 5;
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
-    const float width = (ImGui::GetContentRegionAvail().x - 3.0f * spacing) / 4.0f;
+    const float width = (ImGui::GetContentRegionAvail().x - (count - 1) * spacing) / count;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, ImGui::GetStyle().FramePadding.y});
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < count; ++i) {
         if (i > 0) ImGui::SameLine();
         if (widgets.page(names[i], memory.page == i, width)) memory.page = i;
     }

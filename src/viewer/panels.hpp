@@ -24,6 +24,7 @@ void draw_flag_page(AppState& app, PanelMemory& memory, Widgets& widgets);
 void draw_springs_page(AppState& app, Widgets& widgets);
 void draw_wind_page(AppState& app, PanelMemory& memory, Widgets& widgets);
 void draw_time_page(AppState& app, PanelMemory& memory, Widgets& widgets);
+void draw_trade_page(AppState& app, Widgets& widgets);
 float readings_height(const AppState& app);  // of what draw_readings shows
 void draw_readings(const AppState& app, Widgets& widgets);
 void draw_message(AppState& app, Widgets& widgets);

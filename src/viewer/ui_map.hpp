@@ -41,6 +41,7 @@
 //   resting          1 while the next frame waits for an event or for time to pass, because nothing changes
 //   help             1 while the list of keys is shown
 //   force_scale      newtons of the reddest colour of the force colours
+//   measuring        the share that is done of a measurement under way, or nothing
 //   gl_errors        OpenGL errors since the start (debug context)
 #pragma once
 

@@ -81,14 +81,6 @@ Simulation first_simulation(Scene scene, bool repeatable) {
     return Simulation(scene);
 }
 
-// What the simulation cares for: a change of anything else is not worth its while.
-Scene physics_of(Scene scene) {
-    scene.view = {};
-    scene.name.clear();
-    scene.flag.texture.clear();
-    return scene;
-}
-
 }  // namespace
 
 Viewer::Viewer(const Options& options) : Viewer(options, loaded_for(options)) {}
@@ -161,6 +153,7 @@ void Viewer::exchange() {
     load_wanted();
     save_wanted();
     use_safe_step();
+    measure_wanted();
     send_settings();
     if (app_.commands.step && app_.paused) simulation_.ask_step();
     const bool screenshot = app_.commands.screenshot;
@@ -176,6 +169,18 @@ void Viewer::use_safe_step() {
     if (!app_.commands.use_safe_step || !divergence || divergence->safe_dt <= 0.0) return;
     app_.scene.time.dt = divergence->safe_dt;
     app_.scene.time.tolerance.reset();
+}
+
+void Viewer::measure_wanted() {
+    Findings& findings = app_.findings;
+    if (app_.commands.stop_measuring) measuring_.stop();
+    if (app_.commands.measure) {
+        findings.trouble.clear();
+        measuring_.measure(*app_.commands.measure, app_.scene);
+    }
+    findings.under_way = measuring_.under_way();
+    findings.share = measuring_.share();
+    if (auto measurement = measuring_.take()) take(std::move(*measurement), app_.scene, findings);
 }
 
 void Viewer::send_settings() {

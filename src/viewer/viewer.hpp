@@ -61,6 +61,7 @@ private:
     void set_image(const std::filesystem::path& file, std::optional<Image> image);
     void receive(double wall_seconds);
     void receive_reference();
+    void measure_wanted();
     void hear_of_run();
     void keep_proportions();
     void take_screenshot(const std::filesystem::path& file);
@@ -76,6 +77,7 @@ private:
     std::unique_ptr<Film> film_;
     SimulationThread simulation_;
     Loader loader_;
+    Measuring measuring_;
 
     AppState app_;
     PanelMemory panel_memory_;

@@ -4,6 +4,7 @@
 #include "stage.hpp"
 
 #include "io/error.hpp"
+#include "io/text.hpp"
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -126,7 +127,7 @@ Activity Viewer::activity() const {
     const Message& message = app_.message;
     return {.events = had_events_ || gui_.has_waiting_keys(),
             .runs = runs(),
-            .simulation = !simulation_.idle() || opening_ || !app_.status.loading.empty(),
+            .simulation = !simulation_.idle() || opening_ || !app_.status.loading.empty() || measuring_.under_way(),
             .hidden = hidden_,
             .typing = ImGui::GetIO().WantTextInput,
             .message_left = message.text.empty() ? 0.0 : message.seconds_left};
@@ -178,6 +179,7 @@ void Viewer::write_map() {
     map_.state("help", app_.help_shown ? "1" : "0");
     map_.state("force_scale", status.force_scale);
     map_.state("reference_mm", status.reference ? 1e3 * status.reference->rms : -1.0);
+    map_.state("measuring", app_.findings.under_way ? rounded(app_.findings.share, 3) : "");
     map_.state("gl_errors", gl_errors_.count());
     map_.write();
 }

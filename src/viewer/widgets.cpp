@@ -35,14 +35,21 @@ bool differ(double a, double b) {
 
 }  // namespace
 
-void Widgets::note(const char* label, const std::string& value) {
+void Widgets::note_area(const char* label, const ImVec2& low, const ImVec2& high, const std::string& value) {
     if (!map_.wanted() || ImGui::GetCurrentWindowRead()->Hidden) return;  // a box is laid out before it is shown
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const ImVec2 middle((low.x + high.x) / 2.0f, (low.y + high.y) / 2.0f);
     const ImDrawList* list = ImGui::GetWindowDrawList();
     const ImVec2 clip_low = list->GetClipRectMin(), clip_high = list->GetClipRectMax();
     if (middle.x < clip_low.x || middle.y < clip_low.y || middle.x > clip_high.x || middle.y > clip_high.y) return;
     map_.control(label, low.x, low.y, high.x, high.y, value);
+}
+
+void Widgets::note(const char* label, const std::string& value) {
+    note_area(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), value);
+}
+
+void Widgets::note_place(const char* label, float x, float y, float radius) {
+    note_area(label, {x - radius, y - radius}, {x + radius, y + radius}, "");
 }
 
 void Widgets::tip(const char* text) const {
@@ -134,13 +141,14 @@ bool Widgets::slider(const char* label, int& value, int low, int high, int origi
 }
 
 bool Widgets::term(const char* label, std::optional<double>& value, const SliderScale& scale,
-                   const std::optional<double>& origin, double usual, const std::string& absent, const char* tip_text) {
+                   const std::optional<double>& origin, double usual, const std::string& absent, const char* tip_text,
+                   const char* switch_tip) {
     ImGui::PushID(label);
     begin_row(label, value.has_value());
     bool on = value.has_value();
     bool changed = ImGui::Checkbox("##on", &on);
     note((std::string(label) + " on").c_str(), on ? "1" : "0");
-    tip("On or off. What is off is not computed and costs nothing.");
+    tip(switch_tip);
     if (changed) value = on ? std::optional(origin.value_or(usual)) : std::nullopt;
     ImGui::SameLine();
     ImGui::SetNextItemWidth(control_width());
@@ -170,8 +178,10 @@ bool Widgets::term(const char* label, std::optional<double>& value, const Slider
     return changed;
 }
 
-bool Widgets::toggle(const char* label, bool& value, const char* tip_text) {
-    const bool changed = ImGui::Checkbox(label, &value);
+bool Widgets::toggle(const char* label, bool& value, const char* tip_text, const char* shown) {
+    ImGui::PushID(label);
+    const bool changed = ImGui::Checkbox(shown ? shown : label, &value);
+    ImGui::PopID();
     note(label, value ? "1" : "0");
     tip(tip_text);
     return changed;

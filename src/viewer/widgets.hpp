@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+struct ImVec2;
+
 namespace drapeau {
 
 struct SliderScale {
@@ -25,11 +27,13 @@ public:
     bool slider(const char* label, int& value, int low, int high, int origin, const char* tip);
 
     /// A number that may be missing: a switch and a slider, or the word `absent`. Switched on, it is `origin` or else
-    /// `usual`.
+    /// `usual`. `switch_tip`: of the switch.
     bool term(const char* label, std::optional<double>& value, const SliderScale& scale,
-              const std::optional<double>& origin, double usual, const std::string& absent, const char* tip);
+              const std::optional<double>& origin, double usual, const std::string& absent, const char* tip,
+              const char* switch_tip = "On or off. What is off is not computed and costs nothing.");
 
-    bool toggle(const char* label, bool& value, const char* tip);
+    /// `shown`: what stands beside it instead of its label.
+    bool toggle(const char* label, bool& value, const char* tip, const char* shown = nullptr);
     bool choice(const char* label, int& index, const std::vector<std::string>& names, int origin, const char* tip);
     bool text(const char* label, std::string& value, const char* hint, const char* tip);
     bool button(const char* label, const char* tip, float width = 0.0f, const char* shown = nullptr);
@@ -43,12 +47,15 @@ public:
 
     /// Notes the last item of ImGui in the UI map if its middle can be seen.
     void note(const char* label, const std::string& value);
+    /// The same for a place within the last item that can be clicked on its own.
+    void note_place(const char* label, float x, float y, float radius);
     UiMap& map() { return map_; }
 
     /// What was made of a number that could not be taken as it was typed; empty if all could.
     const std::string& correction() const { return correction_; }
 
 private:
+    void note_area(const char* label, const ImVec2& low, const ImVec2& high, const std::string& value);
     void begin_row(const char* label, bool bright);
     float control_width() const;
     bool back_arrow(const char* label, bool differs);

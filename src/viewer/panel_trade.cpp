@@ -1,0 +1,219 @@
+// The page on speed against accuracy: the setting for an accuracy, all that were measured, and what each part of the
+// scene costs and matters.
+#include "panels.hpp"
+
+#include "setting_controls.hpp"
+#include "trade_chart.hpp"
+
+#include "io/text.hpp"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+namespace drapeau {
+
+using namespace settings;
+
+namespace {
+
+using Subject = Measuring::Subject;
+
+/// A paragraph over the panel's width.
+void paragraph(const std::string& text) {
+    ImGui::PushTextWrapPos();
+    ImGui::TextDisabled("%s", text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+/// The button that begins a measurement, or how far it is and the button that ends it.
+void measure_button(AppState& app, Subject subject, const char* label, const char* tip, Widgets& widgets) {
+    if (app.findings.under_way != subject) {
+        if (widgets.button(label, tip, -1.0f)) app.commands.measure = subject;
+        return;
+    }
+    const float stop = ImGui::CalcTextSize("Stop").x + 2.0f * ImGui::GetStyle().FramePadding.x;
+    const float width = ImGui::GetContentRegionAvail().x - stop - ImGui::GetStyle().ItemSpacing.x;
+    ImGui::ProgressBar(float(app.findings.share), {width, ImGui::GetFrameHeight()},
+                       fmt::format("measuring: {:.0f} %", 100.0 * app.findings.share).c_str());
+    widgets.note("Progress", rounded(app.findings.share, 2));
+    ImGui::SameLine();
+    if (widgets.button("Stop", "Ends the measurement; what was measured before stays."))
+        app.commands.stop_measuring = true;
+}
+
+void set_time(AppState& app, const TimeSettings& time) {
+    app.scene.time = app.findings.chosen = time;
+}
+
+void edit_accuracy(AppState& app, Widgets& widgets) {
+    Findings& findings = app.findings;
+    // Whoever sets a method or a step has no need of one that is chosen.
+    if (findings.accuracy && app.scene.time != findings.chosen) findings.accuracy.reset();
+    const auto row = row_of(&TimeSettings::tolerance, time_keys);
+    const std::optional<double> none;
+    constexpr double usual = 1e-3;  // m a simulated second
+    const bool was_on = findings.accuracy.has_value();
+    if (widgets.term("Accuracy", findings.accuracy, scale_of(row.about, row.control), none, usual, "as set",
+                     "The error that may be made in a second of simulated time. The program picks the method and the "
+                     "precision that cost least for it, among all that it measured, and follows it with the step. "
+                     "A method or a step set by hand ends that.",
+                     "On: the program picks the method and the step. Off: they are as the page Time says.")) {
+        if (findings.accuracy) {
+            set_time(app, settings_for(*findings.accuracy, app.scene, findings));
+            const bool known = findings.trade && holds_for(findings.trade->scene, app.scene);
+            if (!was_on && !known && !findings.under_way) app.commands.measure = Subject::trade;
+        } else if (was_on) {
+            app.scene.time.tolerance.reset();
+        }
+    }
+    if (!findings.accuracy) return;
+    const AccuracyAnswer answer = answer_for(*findings.accuracy, app.scene, findings);
+    if (answer.is_good || !answer.instead)
+        paragraph(answer.text);
+    else
+        widgets.remark("Accuracy", answer.text, "Costs are of one thread, measured beside the flag.");
+    widgets.note("Answer", answer.text);
+    if (!answer.instead) return;
+    const std::string label = "Take " + rounded(1e3 * *answer.instead, 2) + " mm/s";
+    if (!widgets.button("Take the nearest", "Asks for as much accuracy as this machine keeps up with.", -1.0f,
+                        label.c_str()))
+        return;
+    findings.accuracy = std::min(*answer.instead, row.control.range.highest);
+    set_time(app, settings_for(*findings.accuracy, app.scene, findings));
+}
+
+TradeMark mark_of(const AppState& app, const MeasuredTrade& trade) {
+    const Status& s = app.status;
+    TradeMark now;
+    now.accuracy = app.findings.accuracy;
+    now.place = place_of(app.scene.time, s.dt, trade);
+    if (s.stands()) return now;
+    if (s.error && s.error->resolved()) now.rate = s.error->rate;
+    if (s.clock) now.ms_per_second = 1e3 * s.times_slower();
+    return now;
+}
+
+void draw_trade(AppState& app, Widgets& widgets) {
+    Findings& findings = app.findings;
+    const bool has = findings.trade.has_value(), is_of = has && holds_for(findings.trade->scene, app.scene);
+    if (has) {
+        const MeasuredTrade& trade = *findings.trade;
+        const auto clicked = draw_trade_chart(trade, mark_of(app, trade), widgets);
+        if (clicked) {
+            findings.accuracy.reset();
+            app.scene.time = settings_of(trade.points[*clicked].point, app.scene.time);
+        }
+        paragraph(is_of ? fmt::format("Each flown for {} from t = {} on.", quantity(trade.seconds, "s"),
+                                      quantity(trade.since, "s"))
+                        : "The scene has changed since this was measured.");
+    }
+    measure_button(app, Subject::trade, is_of ? "Measure anew" : "Measure settings",
+                   "Flies the scene for a tenth of a second with every method, many steps and both precisions, and "
+                   "compares them with a reference of another method at far smaller steps. It is done beside the flag, "
+                   "in about ten seconds.",
+                   widgets);
+}
+
+std::string cost_text(const Priced& priced) {
+    const Share& cost = priced.cost.own;
+    if (!std::isfinite(cost.value)) return "\xe2\x80\x93";
+    if (!cost.is_resolved()) return "< " + rounded(100.0 * cost.known_to, 2) + " %";
+    return rounded(100.0 * cost.value, 2) + " %";
+}
+
+std::string effect_text(const Priced& priced) {
+    if (!priced.effect.is_measured) return "\xe2\x80\x93";
+    return rounded(1e3 * priced.effect.apart.distance(), 2) + " mm";
+}
+
+/// "springs.diagonal_stiffness" for a person, who sees no table: "Diagonal stiffness".
+std::string part_name(const ScenePart& part) {
+    if (part.key == "flag") return "Fine grid";
+    if (part.key == "time.precision") return "Double precision";
+    constexpr std::string_view springs = "springs.";
+    std::string name = part.key.starts_with(springs) ? part.key.substr(springs.size()) : part.key;
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == '.' || c == '_'; }, ' ');
+    return capitalised(name);
+}
+
+std::string tip_of(const Priced& priced, const MeasuredPrices& prices) {
+    std::string text = priced.part.label + ".\nIt costs " + cost_text(priced) + " of the time";
+    if (priced.effect.is_measured)
+        text += fmt::format("; without it masses are {} elsewhere after {} (root mean square)", effect_text(priced),
+                            quantity(prices.seconds, "s"));
+    text += ".";
+    if (!priced.remark.empty()) text += "\n" + as_sentence(priced.remark);
+    return text;
+}
+
+void draw_price_rows(AppState& app, Widgets& widgets) {
+    Findings& findings = app.findings;
+    const MeasuredPrices& prices = *findings.prices;
+    const bool is_of = are_of(findings, app.scene);
+    if (!ImGui::BeginTable("prices", 3, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings)) return;
+    ImGui::TableSetupColumn("part", ImGuiTableColumnFlags_WidthStretch);
+    for (const char* title : {"part", "cost", "effect"}) {
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("%s", title);
+    }
+    if (!is_of) ImGui::BeginDisabled();
+    for (const Priced& priced : prices.parts) {
+        const std::string& key = priced.part.key;
+        ImGui::TableNextColumn();
+        bool on = !findings.left_out.contains(key);
+        if (widgets.toggle(("Part: " + key).c_str(), on, tip_of(priced, prices).c_str(),
+                           part_name(priced.part).c_str())) {
+            if (on)
+                findings.left_out.erase(key);
+            else
+                findings.left_out.insert(key);
+            app.scene = findings.reduced = without(prices, findings.left_out, app.scene);
+        }
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(cost_text(priced).c_str());
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(effect_text(priced).c_str());
+    }
+    if (!is_of) ImGui::EndDisabled();
+    ImGui::EndTable();
+}
+
+void draw_prices(AppState& app, Widgets& widgets) {
+    Findings& findings = app.findings;
+    if (findings.prices) {
+        // Settings that the run refused were taken back.
+        if (!findings.left_out.empty() && holds_for(findings.prices->scene, app.scene)) findings.left_out.clear();
+        draw_price_rows(app, widgets);
+        paragraph(
+            are_of(findings, app.scene)
+                ? fmt::format("Time saved and change after {} without each part, of {} of processor time a second.",
+                              quantity(findings.prices->seconds, "s"),
+                              quantity(1e-3 * findings.prices->ms_per_second, "s", 2))
+                : "The scene has changed since it was priced.");
+    }
+    measure_button(app, Subject::prices, findings.prices ? "Price anew" : "Price each part",
+                   "What every part of the scene costs in time and changes in millimetres: the scene is flown with and "
+                   "without it from the same state. It is done beside the flag, in half a minute or so.",
+                   widgets);
+}
+
+}  // namespace
+
+void draw_trade_page(AppState& app, Widgets& widgets) {
+    edit_accuracy(app, widgets);
+    ImGui::Spacing();
+    draw_trade(app, widgets);
+    ImGui::Spacing();
+    ImGui::Separator();
+    ImGui::Spacing();
+    draw_prices(app, widgets);
+    if (!app.findings.trouble.empty()) widgets.remark("Not measured", as_sentence(app.findings.trouble), "");
+}
+
+}  // namespace drapeau
