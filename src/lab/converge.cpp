@@ -100,13 +100,7 @@ ConvergeRequest request_in(const ConvergeOptions& options, const Scene& scene) {
     return request;
 }
 
-struct Outputs {
-    std::string json, plot;  // "" writes none
-
-    std::vector<NamedFile> files() const { return asked_for({{"--json", json}, {"--plot", plot}}); }
-};
-
-int report(const ConvergeRequest& request, const ConvergeFindings& found, const Outputs& outputs) {
+int report(const ConvergeRequest& request, const ConvergeFindings& found, const SweepOutputs& outputs) {
     const std::string text = compared_text(request, found) + "\n" + steps_table(found) + "\n" +
                              grids_table(request, found) + "\n" + conclusion(found) + "\n";
     std::fputs(text.c_str(), place_of_table(outputs.files()));
@@ -122,7 +116,7 @@ int say_diverged(const std::string& how) {
 }
 
 /// A sweep at once, as far as the budget goes.
-int at_once(const ConvergeRequest& request, const Outputs& outputs) {
+int at_once(const ConvergeRequest& request, const SweepOutputs& outputs) {
     ConvergeSweep sweep(request);
     const double expected = std::max(sweep.estimate(), 1e-3);
     complain(program, fmt::format("{} and {}, about {}, at most {}", counted(request.methods.size(), "method"),
@@ -137,7 +131,7 @@ int at_once(const ConvergeRequest& request, const Outputs& outputs) {
 }
 
 /// A sweep, or a shard of one, whose points are kept as they are done. The whole ends as one at once does.
-int in_parts(const ConvergeOptions& options, const ConvergeRequest& request, const Outputs& outputs,
+int in_parts(const ConvergeOptions& options, const ConvergeRequest& request, const SweepOutputs& outputs,
              const Shard& shard) {
     ConvergeSweep sweep(request);
     PartFile file(options.part, identity_of(options, request), shard);
@@ -170,10 +164,8 @@ int in_parts(const ConvergeOptions& options, const ConvergeRequest& request, con
 
 int converge(const ConvergeOptions& options) {
     const ConvergeRequest request = request_in(options, scene_in(options.scene, options.set));
-    const Outputs outputs{options.json, options.plot};
-    const Shard shard = shard_of(options.part, outputs.files());
-    check_outputs({{"the scene", find_scene(options.scene).string()}}, with_part(outputs.files(), options.part));
-    check_plot("--plot", options.plot);
+    const SweepOutputs outputs{options.json, "", options.plot, find_scene(options.scene)};
+    const Shard shard = checked_shard(options.part, outputs);
     return request.counts_work ? in_parts(options, request, outputs, shard) : at_once(request, outputs);
 }
 
@@ -188,7 +180,7 @@ int merge_converge(const Joined& joined, const MergeOptions& merging) {
         return exit_not_met;
     }
     use_basis(joined.all, [&](const Json& basis) { sweep.restore(basis_in(basis)); });
-    return report(sweep.request(), findings_in(joined.all, sweep), {merging.json, merging.plot});
+    return report(sweep.request(), findings_in(joined.all, sweep), {merging.json, "", merging.plot, {}});
 }
 
 }  // namespace drapeau::lab

@@ -1,6 +1,7 @@
 #include "part_file.hpp"
 
 #include "exit_status.hpp"
+#include "gnuplot.hpp"
 #include "io/error.hpp"
 #include "io/text.hpp"
 #include "io/text_file.hpp"
@@ -72,20 +73,19 @@ Part resumed(const PartOptions& options, const SweepIdentity& sweep, const Shard
 
 }  // namespace
 
-Shard shard_of(const PartOptions& options, const std::vector<NamedFile>& outputs) {
+Shard checked_shard(const PartOptions& options, const SweepOutputs& outputs) {
     const Shard shard = shard_in("--shard", options.shard);
+    std::vector<NamedFile> files = outputs.files();
     if (options.file.empty() && !options.shard.empty())
         throw InputError("--shard: give --part too, the file that keeps its points");
     if (options.file.empty() && options.resume) throw InputError("--resume: give --part too, the file to go on with");
-    if (!shard.is_whole() && !outputs.empty())
-        throw InputError(outputs.front().asked_by +
+    if (!shard.is_whole() && !files.empty())
+        throw InputError(files.front().asked_by +
                          ": a shard has not all points; drapeau-lab merge takes it, for all shards");
+    if (!options.file.empty()) files.push_back({"--part", options.file});
+    check_outputs({{"the scene", outputs.scene_file.string()}}, files);
+    check_plot("--plot", outputs.plot);
     return shard;
-}
-
-std::vector<NamedFile> with_part(std::vector<NamedFile> outputs, const PartOptions& options) {
-    if (!options.file.empty()) outputs.push_back({"--part", options.file});
-    return outputs;
 }
 
 int say_shard_is_done(const Part& part) {

@@ -2,7 +2,7 @@
 // so that whatever ends the program, the file holds whole records and is gone on with from there.
 #pragma once
 
-#include "io/output_file.hpp"
+#include "outputs.hpp"
 #include "parts.hpp"
 
 #include <string>
@@ -16,11 +16,9 @@ struct PartOptions {
     bool resume = false;
 };
 
-/// The shard asked for. Throws InputError where options do not go together; `outputs` are files that need all points.
-Shard shard_of(const PartOptions& options, const std::vector<NamedFile>& outputs);
-
-/// The outputs and the part, if there is one.
-std::vector<NamedFile> with_part(std::vector<NamedFile> outputs, const PartOptions& options);
+/// The shard asked for. Throws InputError where options do not go together, a shard is asked for what needs all points,
+/// or a file may not be written.
+Shard checked_shard(const PartOptions& options, const SweepOutputs& outputs);
 
 /// What a shard ends with, on standard output; the exit status.
 int say_shard_is_done(const Part& part);

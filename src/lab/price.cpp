@@ -25,13 +25,6 @@ namespace drapeau::lab {
 
 namespace {
 
-struct Outputs {
-    std::string json, write, plot;     // "" writes none
-    std::filesystem::path scene_file;  // beside which the scene's image is; "" where that is not known
-
-    std::vector<NamedFile> files() const { return asked_for({{"--write", write}, {"--json", json}, {"--plot", plot}}); }
-};
-
 /// What a study says of how far it is, once a bar of progress is there.
 struct Teller {
     std::optional<Progress> progress;
@@ -53,7 +46,7 @@ std::optional<int> prepared(PriceStudy& study, const PriceOptions& options, Tell
 }
 
 /// What follows from the parts: with a tolerance the scene that is left. Prints and writes all; the exit status.
-int report(PriceStudy& study, const Prices& prices, const Outputs& outputs, Teller& teller) {
+int report(PriceStudy& study, const Prices& prices, const SweepOutputs& outputs, Teller& teller) {
     std::optional<Reduction> reduction;
     if (study.request().tolerance) reduction = study.reduce(prices);
     teller.progress.reset();
@@ -73,7 +66,7 @@ int report(PriceStudy& study, const Prices& prices, const Outputs& outputs, Tell
     return exit_good;
 }
 
-int at_once(const PriceOptions& options, const PriceRequest& request, const Outputs& outputs) {
+int at_once(const PriceOptions& options, const PriceRequest& request, const SweepOutputs& outputs) {
     Teller teller;
     PriceStudy study(request, teller.tick);
     complain(program, fmt::format("{}, about {}, at most {}", counted(study.parts().size(), "part"),
@@ -96,7 +89,8 @@ void measure_shard(PriceStudy& study, const std::vector<std::size_t>& places, Pa
 }
 
 /// A study, or a shard of one, whose parts are kept as they are done. The whole ends as one at once does.
-int in_parts(const PriceOptions& options, const PriceRequest& request, const Outputs& outputs, const Shard& shard) {
+int in_parts(const PriceOptions& options, const PriceRequest& request, const SweepOutputs& outputs,
+             const Shard& shard) {
     Teller teller;
     PriceStudy study(request, teller.tick);
     PartFile file(options.part, identity_of(options, request), shard);
@@ -128,10 +122,8 @@ int price(const PriceOptions& options) {
     if (!options.write.empty() && !request.tolerance)
         throw InputError("--write: it saves the scene that --tolerance leaves; give --tolerance too");
     request.scene = scene_in(options.scene, options.set);
-    const Outputs outputs{options.json, options.write, options.plot, find_scene(options.scene)};
-    const Shard shard = shard_of(options.part, outputs.files());
-    check_outputs({{"the scene", outputs.scene_file.string()}}, with_part(outputs.files(), options.part));
-    check_plot("--plot", options.plot);
+    const SweepOutputs outputs{options.json, options.write, options.plot, find_scene(options.scene)};
+    const Shard shard = checked_shard(options.part, outputs);
     return request.counts_work ? in_parts(options, request, outputs, shard) : at_once(options, request, outputs);
 }
 

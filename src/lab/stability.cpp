@@ -110,13 +110,7 @@ void check_duration(const std::vector<StabilityPoint>& points) {
         complain(program, fmt::format("{}, about {}", counted(points.size(), "limit"), duration(seconds)));
 }
 
-struct Outputs {
-    std::string json, plot;  // "" writes none
-
-    std::vector<NamedFile> files() const { return asked_for({{"--json", json}, {"--plot", plot}}); }
-};
-
-int report(const StabilityMap& map, const Outputs& outputs) {
+int report(const StabilityMap& map, const SweepOutputs& outputs) {
     const std::string text =
         map.scene.name +
         ": the largest step at which noise on the cloth at rest does not grow; then its growth in a step "
@@ -155,7 +149,7 @@ void check_scene_moves(const Scene& scene) {
         throw InputError("flag.attach: every mass is held, so there is nothing to measure");
 }
 
-int in_parts(StabilityMap& map, const StabilityOptions& options, const Outputs& outputs, const Shard& shard) {
+int in_parts(StabilityMap& map, const StabilityOptions& options, const SweepOutputs& outputs, const Shard& shard) {
     PartFile file(options.part, identity_of(map.scene, options), shard);
     const std::vector<StabilityPoint> missing = missing_in(&file, map.points, shard);
     complain(program, fmt::format("shard {}: {} of {} to be measured", shard.text(), missing.size(),
@@ -177,10 +171,8 @@ int stability(const StabilityOptions& options) {
     StabilityMap map;
     map.scene = quiet(read_scene(scene_file, assignments));
     map.points = points_of(map.scene, options);
-    const Outputs outputs{options.json, options.plot};
-    const Shard shard = shard_of(options.part, outputs.files());
-    check_outputs({{"the scene", scene_file.string()}}, with_part(outputs.files(), options.part));
-    check_plot("--plot", options.plot);
+    const SweepOutputs outputs{options.json, "", options.plot, scene_file};
+    const Shard shard = checked_shard(options.part, outputs);
     check_scene_moves(map.scene);
     check_duration(missing_in(nullptr, map.points, shard));
     if (!options.part.file.empty()) return in_parts(map, options, outputs, shard);
@@ -199,7 +191,7 @@ int merge_stability(const Joined& joined, const MergeOptions& merging) {
         return exit_not_met;
     }
     map.limits = limits_in(joined.all, map.points);
-    return report(map, {merging.json, merging.plot});
+    return report(map, {merging.json, "", merging.plot, {}});
 }
 
 }  // namespace drapeau::lab

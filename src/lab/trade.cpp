@@ -37,7 +37,7 @@ std::optional<int> prepared(TradeSweep& sweep, const TradeOptions& options, cons
 }
 
 /// A sweep at once, as far as the budget goes.
-int at_once(const TradeOptions& options, const TradeRequest& request, const TradeOutputs& outputs) {
+int at_once(const TradeOptions& options, const TradeRequest& request, const SweepOutputs& outputs) {
     TradeSweep sweep(request);
     complain(program, fmt::format("{}, about {}, at most {}", counted(sweep.count(), "setting"),
                                   duration(sweep.estimate()), duration(request.budget)));
@@ -98,7 +98,7 @@ void measure_shard(const TradeSweep& sweep, const std::vector<std::size_t>& plac
 }
 
 /// A sweep, or a shard of one, whose points are kept as they are done. The whole ends as one at once does.
-int in_parts(const TradeOptions& options, const TradeRequest& request, const TradeOutputs& outputs,
+int in_parts(const TradeOptions& options, const TradeRequest& request, const SweepOutputs& outputs,
              const Shard& shard) {
     TradeSweep sweep(request);
     PartFile file(options.part, identity_of(options, request), shard);
@@ -130,10 +130,8 @@ int in_parts(const TradeOptions& options, const TradeRequest& request, const Tra
 
 int trade(const TradeOptions& options) {
     const TradeRequest request = request_in(options);
-    const TradeOutputs outputs{options.json, options.write, options.plot, find_scene(options.scene)};
-    const Shard shard = shard_of(options.part, outputs.files());
-    check_outputs({{"the scene", outputs.scene_file.string()}}, with_part(outputs.files(), options.part));
-    check_plot("--plot", options.plot);
+    const SweepOutputs outputs{options.json, options.write, options.plot, find_scene(options.scene)};
+    const Shard shard = checked_shard(options.part, outputs);
     return request.counts_work ? in_parts(options, request, outputs, shard) : at_once(options, request, outputs);
 }
 
@@ -141,7 +139,7 @@ int merge_trade(const Joined& joined, const MergeOptions& merging) {
     const TradeOptions options = options_in(joined.all.sweep);
     TradeRequest request = request_in(options, parse_scene(joined.all.sweep.scene, joined.all.file + ", its scene"));
     request.counts_work = true;
-    const TradeOutputs outputs{merging.json, merging.write, merging.plot, {}};
+    const SweepOutputs outputs{merging.json, merging.write, merging.plot, {}};
     if (!merging.write.empty() && !request.tolerance)
         throw InputError("--write: it saves the setting for a tolerance, and the sweep was made without --tolerance");
     TradeSweep sweep(request);

@@ -6,7 +6,6 @@
 #include "io/terminal.hpp"
 #include "io/text.hpp"
 #include "io/text_file.hpp"
-#include "outputs.hpp"
 #include "program.hpp"
 #include "report_text.hpp"
 #include "saved_scene.hpp"
@@ -62,10 +61,6 @@ int conclude(const TradeSweep& sweep, const TradeFindings& findings, std::FILE* 
 
 }  // namespace
 
-std::vector<NamedFile> TradeOutputs::files() const {
-    return asked_for({{"--write", write}, {"--json", json}, {"--plot", plot}});
-}
-
 TradeFindings findings_of(const TradeSweep& sweep, std::vector<Measured> points, const Tick& tick) {
     TradeFindings findings;
     findings.points = std::move(points);
@@ -76,7 +71,7 @@ TradeFindings findings_of(const TradeSweep& sweep, std::vector<Measured> points,
     return findings;
 }
 
-int report(const TradeSweep& sweep, const TradeFindings& findings, const TradeOutputs& outputs) {
+int report(const TradeSweep& sweep, const TradeFindings& findings, const SweepOutputs& outputs) {
     std::FILE* table = place_of_table(outputs.files());
     std::fputs((reference_text(sweep) + "\n" + points_table(sweep, findings)).c_str(), table);
     if (!sweep.is_beyond_horizon()) {
