@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Spreads a sweep over workers as docs/laboratory.md says, kills one of them in the middle, lets it go on, joins the parts and
-# compares them with the whole sweep: everything but times must be equal. First by GNU parallel, then as a job array of
+# Spreads sweeps over workers as docs/laboratory.md says, kills one of them in the middle, lets it go on, joins the parts and
+# compares them with the whole sweep: everything but times must be equal. First by GNU parallel, then one as a job array of
 # Slurm, whose daemons run here, on this machine alone.
 #
 #   check_sweeps.sh PATH_OF_DRAPEAU_LAB FOLDER     FOLDER is made anew
@@ -8,8 +8,17 @@ set -euo pipefail
 
 lab=$1 folder=$2
 shards=4
-sweep=(trade report --set flag.columns=12 --set flag.rows=8 --settle 0.5 --seconds 0.25 --budget 0.25
-    --methods semi-implicit-euler,leapfrog,rk4,xpbd)
+small=(report --set flag.columns=12 --set flag.rows=8 --settle 0.5 --seconds 0.25)
+methods="semi-implicit-euler,leapfrog,rk4,xpbd"
+
+# What is measured: sets sweep.
+choose() {
+    case $1 in
+    trade) sweep=(trade "${small[@]}" --budget 0.25 --methods "$methods") ;;
+    price) sweep=(price "${small[@]}" --budget 0.5) ;;
+    converge) sweep=(converge "${small[@]}" --budget 0.5 --methods "$methods") ;;
+    esac
+}
 
 rm -rf "$folder"
 mkdir -p "$folder"
@@ -25,23 +34,25 @@ results() {
     grep -h -e '"result"' -e '"basis"' "$@" | sed 's/"cost":{[^}]*},//' | sort -u
 }
 
-# compared NAME: the parts NAME-1.jsonl ... are the whole sweep, and merge says the same of them.
+# What a command found, without times and what follows from them. Points stand before the front, which does.
+without_times() {
+    sed -e '/"front":/,$d' -e '/"ms_per_second"/d' -e '/"cost_.*percent"/d' "$1"
+}
+
+# compared NAME WHOLE: the parts NAME-1.jsonl ... are the whole sweep, and merge says the same of them.
 compared() {
-    results whole.jsonl >whole.results
+    results "$2.jsonl" >"$2.results"
     results "$1"-*.jsonl >"$1.results"
-    cmp whole.results "$1.results" || fail "$1: the shards together are not the whole sweep"
+    cmp "$2.results" "$1.results" || fail "$1: the shards together are not the whole sweep"
     "$lab" merge "$1"-*.jsonl --json "$1.json" --plot "$1.svg" >"$1.txt" || fail "$1: merge refused the parts"
-    # Points stand before the front, which follows from times.
-    sed -e '/"front":/,$d' -e '/"ms_per_second"/d' whole.json >whole.points
-    sed -e '/"front":/,$d' -e '/"ms_per_second"/d' "$1.json" >"$1.points"
-    cmp whole.points "$1.points" || fail "$1: merge says something else than the whole sweep"
+    cmp <(without_times "$2.json") <(without_times "$1.json") || fail "$1: merge says something else than the whole sweep"
     echo "check: $1: $(grep -c '"result"' "$1.results") points in $shards shards, equal to the whole"
 }
 
-# killed_midway NAME PID: waits until the process has kept some points of NAME, then kills it with no warning.
+# killed_midway NAME PID: waits until the process has kept a point of NAME, then kills it with no warning.
 kill_midway() {
     local part=$1 process=$2 tries=0
-    until [ "$(grep -c '"result"' "$part" 2>/dev/null || true)" -ge 2 ] 2>/dev/null; do
+    until [ "$(grep -c '"result"' "$part" 2>/dev/null || true)" -ge 1 ] 2>/dev/null; do
         kill -0 "$process" 2>/dev/null || fail "$part: the worker ended before it could be killed"
         tries=$((tries + 1))
         [ "$tries" -lt 6000 ] || fail "$part: no point was kept in a minute"
@@ -64,17 +75,21 @@ worker_of() {
     echo "$found"
 }
 
+# by_parallel NAME WHOLE
 by_parallel() {
-    parallel --will-cite --jobs 2 "$lab" "${sweep[@]}" --shard "{}/$shards" --part "parallel-{}.jsonl" --resume \
-        ::: $(seq "$shards") >parallel.log 2>&1 &
+    local name=$1 whole=$2
+    spread() {
+        parallel --will-cite --jobs 2 "$lab" "${sweep[@]}" --shard "{}/$shards" --part "$name-{}.jsonl" --resume \
+            ::: $(seq "$shards") >>"$name.log" 2>&1
+    }
+    spread &
     local all=$!
-    kill_midway parallel-2.jsonl "$(worker_of parallel-2.jsonl)"
+    kill_midway "$name-2.jsonl" "$(worker_of "$name-2.jsonl")"
     if wait "$all"; then fail "parallel did not notice that a worker was killed"; fi
-    if "$lab" merge parallel-*.jsonl >merge.log 2>&1; then fail "merge did not notice that points are missing"; fi
-    grep "are missing" merge.log
-    parallel --will-cite --jobs 2 "$lab" "${sweep[@]}" --shard "{}/$shards" --part "parallel-{}.jsonl" --resume \
-        ::: $(seq "$shards") >>parallel.log 2>&1 || fail "a worker failed (parallel.log)"
-    compared parallel
+    if "$lab" merge "$name"-*.jsonl >merge.log 2>&1; then fail "merge did not notice that points are missing"; fi
+    grep -E "(is|are) missing" merge.log
+    spread || fail "a worker failed ($name.log)"
+    compared "$name" "$whole"
 }
 
 daemons=()
@@ -152,12 +167,17 @@ by_slurm() {
     kill_midway slurm-2.jsonl "$(worker_of slurm-2.jsonl)"
     if wait "$all"; then fail "Slurm did not notice that a worker was killed"; fi
     if "$lab" merge slurm-*.jsonl >merge.log 2>&1; then fail "merge did not notice that points are missing"; fi
-    grep "are missing" merge.log
+    grep -E "(is|are) missing" merge.log
     submitted || fail "a task of the job array failed (slurm-*.log)"
-    compared slurm
+    compared slurm trade-whole
 }
 
-"$lab" "${sweep[@]}" --part whole.jsonl --json whole.json >whole.txt 2>whole.log || fail "the whole sweep failed"
-by_parallel
+for name in trade price converge; do
+    choose "$name"
+    "$lab" "${sweep[@]}" --part "$name-whole.jsonl" --json "$name-whole.json" >"$name-whole.txt" 2>"$name-whole.log" ||
+        fail "the whole sweep of $name failed"
+    by_parallel "$name-parallel" "$name-whole"
+done
+choose trade
 by_slurm
 echo "check: sweeps spread over workers, one of them killed, equal the whole"

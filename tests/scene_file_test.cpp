@@ -560,6 +560,14 @@ TEST_CASE("a texture lies beside the scene or among the flags") {
     CHECK_THROWS_AS(find_texture("", folder.path / "x.toml"), InputError);
 }
 
+TEST_CASE("a value out of its range is said as it was given; one that was computed is rounded, with its unit") {
+    Scene scene = parse_scene("[springs]\nmass = 0.01\nstiffness = 5\n", "typed.toml");
+    scene.time.dt = 7.5e-10;
+    CHECK(message_of_scene(scene).starts_with("time.dt = 7.5e-10: "));
+    scene.time.dt = std::nextafter(7.5e-10, 1.0);  // 7.500000000000001e-10
+    CHECK(message_of_scene(scene).starts_with("time.dt = 0.75 ns: "));
+}
+
 TEST_CASE("every shipped scene loads, finds its texture and runs a second within a few per cent of stretch") {
     const auto names = shipped_scenes();
     REQUIRE(names.size() >= 8);

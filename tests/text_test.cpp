@@ -40,6 +40,12 @@ TEST_CASE("a quantity has the unit that suits it, and no exponent") {
     CHECK(quantity(0.0, "J") == "0 J");
 }
 
+TEST_CASE("one thing is singular, none and several are plural") {
+    CHECK(counted(0, "point") == "0 points");
+    CHECK(counted(1, "point") == "1 point");
+    CHECK(counted(21, "point") == "21 points");
+}
+
 TEST_CASE("a long text is cut between characters, and says so") {
     CHECK(one_line("abc", 3) == "abc");
     CHECK(one_line("abcd", 3) == "abc...");
