@@ -140,9 +140,10 @@ int in_parts(const ConvergeOptions& options, const ConvergeRequest& request, con
     const std::vector<std::size_t> places = shard.places(points.size());
     for (const std::size_t n : places)
         if (!file.has(points[n].key)) missing.push_back(points[n]);
-    complain(program, fmt::format("shard {}: {} of {}, {} of them done, about {} if the shard were the whole",
-                                  shard.text(), places.size(), counted(points.size(), "point"),
-                                  places.size() - missing.size(), duration(sweep.estimate())));
+    const double share = static_cast<double>(missing.size() + 1) / static_cast<double>(points.size() + 1);
+    complain(program, fmt::format("shard {}: {} of {}, {} of them done, about {}", shard.text(), places.size(),
+                                  counted(points.size(), "point"), places.size() - missing.size(),
+                                  duration(share * sweep.estimate())));
     std::optional<Progress> progress(std::in_place);
     double done = 0.0;
     const auto tick = [&] { progress->show(done / static_cast<double>(missing.size() + 1)); };
