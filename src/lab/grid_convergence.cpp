@@ -1,12 +1,7 @@
 #include "grid_convergence.hpp"
 
-#include "cloth_shape.hpp"
-#include "io/error.hpp"
-#include "io/text.hpp"
-#include "measure/clocks.hpp"
+#include "grid_flights.hpp"
 #include "measure/same_cloth.hpp"
-#include "measure/swing_in.hpp"
-#include "run/start_state.hpp"
 
 #include "drapeau/stability.hpp"
 
@@ -17,92 +12,7 @@ namespace drapeau::lab {
 
 namespace {
 
-constexpr Method rk4 = method_id<Rk4>;
-constexpr double share_of_limit = 0.5;  // the step, of the largest stable one: its error is nothing beside the grid's
-
-long long steps_a_batch(const Model& model) {
-    const double dt = std::min(share_of_limit * stable_step(rk4, model).seconds(), batch_seconds / 4.0);
-    return static_cast<long long>(std::ceil(batch_seconds / dt));
-}
-
 constexpr double long_enough = 0.05;  // s, that a flight lasts, to tell how fast it was
-
-/// What a grid showed, of which only positions at the coarsest grid's masses are kept.
-struct Seen {
-    Flight flight;
-    ClothShape shape;
-    bool is_limit_active = false;
-};
-
-class Grids {
-public:
-    /// `seconds`: on the wall, when flights are given up.
-    Grids(const GridRequest& request, double seconds, const std::function<void()>& tick)
-        : request_(request),
-          seconds_(seconds),
-          tick_(tick),
-          coarsest_(on_grid(0)),
-          coarsest_model_(model_of(coarsest_)),
-          start_(start_state(coarsest_).state),
-          every_(sampling(coarsest_model_.grid, request.batches)) {}
-
-    const Model& coarsest_model() const { return coarsest_model_; }
-    double spent() const { return wall_seconds() - began_; }
-
-    Scene on_grid(std::size_t n) const {
-        return same_cloth(request_.scene, request_.grids[n].first, request_.grids[n].second);
-    }
-
-    /// The motion of grid n from the common start, or a nanometre aside, compared after it swung in.
-    std::optional<Seen> seen(std::size_t n, Borders borders, bool aside, int finer_steps = 1) const {
-        const Scene scene = on_grid(n);
-        const Model model = model_with(scene, borders);
-        const int times = 1 << n;
-        const long long steps = finer_steps * steps_a_batch(model);
-        Yardstick yardstick(model);
-        Stretch stretch{on_finer_grid(start_, times), 0.0, request_.settle, std::max(1LL, request_.settle), times};
-        hold_fast(stretch.start, model, scene.flag.prestretch);
-        const auto may_go_on = [this] {
-            tick_();
-            return spent() < seconds_;
-        };
-        if (request_.settle > 0) {
-            auto before = fly(model, rk4, steps, stretch, yardstick, may_go_on);
-            if (!before) return {};
-            stretch.start = std::move(before->end);
-            stretch.time = stretch.seconds();
-        }
-        stretch.batches = request_.batches;
-        stretch.every = every_;
-        if (aside) stretch.start = pushed_aside(model, std::move(stretch.start), Growth::first);
-        ClothShape shape(model.grid, model.has_diagonals());
-        auto flight = fly(model, rk4, steps, stretch, yardstick, may_go_on, Precision::double_precision,
-                          [&](const State<double>& state) { shape.take(state); });
-        if (!flight) return {};
-        const bool is_limited = is_limit_active(model, *flight);
-        return Seen{std::move(*flight), shape, is_limited};
-    }
-
-    /// m, root mean square over time and the coarsest grid's masses.
-    double difference(const Flight& one, const Flight& other) const {
-        return apart(coarsest_model_, one, other).over_time;
-    }
-
-    Growth growth(const Flight& one, const Flight& other) const {
-        const Stretch stretch{State<double>(1, 1), 0.0, request_.batches, every_};
-        return growth_of(coarsest_model_, stretch, one, other);
-    }
-
-private:
-    const GridRequest& request_;
-    double seconds_;
-    const std::function<void()>& tick_;
-    double began_ = wall_seconds();
-    Scene coarsest_;
-    Model coarsest_model_;
-    State<double> start_;
-    long long every_;
-};
 
 /// Below this a lower order is not the grid's own, which is 2.
 constexpr double second_order = 1.7, any_order = 0.5;
@@ -257,7 +167,7 @@ std::vector<double> seconds_of_flights(const GridRequest& request) {
     for (const auto& [columns, rows] : request.grids) {
         const Model model = model_of(same_cloth(request.scene, columns, rows));
         const double steps = static_cast<double>(steps_a_batch(model) * (request.settle + request.batches));
-        seconds.push_back(request.unit * step_cost(model, rk4) * steps);
+        seconds.push_back(request.unit * step_cost(model, method_id<Rk4>) * steps);
     }
     return seconds;
 }
