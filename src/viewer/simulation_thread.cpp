@@ -47,8 +47,8 @@ int simulation_threads(unsigned processors) {
 }
 
 SimulationThread::SimulationThread(Simulation simulation, int threads, ErrorWatch::Mode errors)
-    : threads_(threads), errors_(errors), simulation_(std::move(simulation)) {
-    share_among(simulation_, threads_);
+    : threads_(threads), sharing_(threads_.threads()), errors_(errors), simulation_(std::move(simulation)) {
+    share_among(simulation_, sharing_);
     simulation_.watch_error(errors_);
     failure_.reserve(longest_failure);
     now_.scene = simulation_.scene();
@@ -220,7 +220,7 @@ void SimulationThread::take_over(const Change& change) {
     try {
         if (change.from_start) {
             Simulation next(change.scene, &abandon_);
-            share_among(next, threads_);
+            share_among(next, sharing_);
             next.watch_error(errors_);
             simulation_ = std::move(next);
         } else {
@@ -235,6 +235,7 @@ void SimulationThread::take_over(const Change& change) {
         now_.refused_revision = change.revision;
         return;
     }
+    threads_.forget();
     now_.scene = change.scene;
     now_.revision = change.revision;
     now_.divergence.reset();
@@ -250,9 +251,21 @@ void SimulationThread::put_back(const Change& change) {
     if (change_ && change.from_start) change_->from_start = true;
 }
 
+/// Where the system has no more threads, or no memory for them, it goes on with those it has.
+void SimulationThread::share_as_chosen() {
+    if (threads_.threads() == sharing_) return;
+    try {
+        simulation_.use_threads(threads_.threads());
+        sharing_ = threads_.threads();
+    } catch (const std::exception&) {
+        threads_.forget();
+    }
+}
+
 // False if it was abandoned for something that matters more.
 bool SimulationThread::advance(bool single_step) {
     if (now_.divergence || failed_) return false;
+    share_as_chosen();
     const auto steps_before = simulation_.steps();
     const auto begin = std::chrono::steady_clock::now();
     now_.divergence = single_step ? simulation_.advance_steps(1, &abandon_) : simulation_.advance_batch(&abandon_);
@@ -260,6 +273,7 @@ bool SimulationThread::advance(bool single_step) {
     const auto taken = simulation_.steps() - steps_before;
     // None or fewer: abandoned, or put back to a good state.
     if (taken > 0) now_.step_seconds = passed.count() / double(taken);
+    if (taken > 0 && !single_step) threads_.took(now_.step_seconds);
     return taken != 0;
 }
 

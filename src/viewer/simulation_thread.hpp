@@ -5,6 +5,7 @@
 #include "picture.hpp"
 #include "run/reference_run.hpp"
 #include "run/simulation.hpp"
+#include "thread_choice.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -51,8 +52,9 @@ int simulation_threads(unsigned processors);
 
 class SimulationThread {
 public:
-    /// `threads` may share a step, whatever the scene becomes; it stays on one where the system gives no more. Errors
-    /// are measured on a spare one; whether they are waited for, so that every run shows the same, `errors` says.
+    /// At most `threads` share a step, whatever the scene becomes: as many of them as are fastest (see ThreadChoice);
+    /// it stays on one where the system gives no more. Errors are measured on a spare one; whether they are waited for,
+    /// so that every run shows the same, `errors` says.
     explicit SimulationThread(Simulation simulation, int threads = 1,
                               ErrorWatch::Mode errors = ErrorWatch::Mode::aside);
     /// Ends promptly, whatever is under way.
@@ -88,12 +90,14 @@ private:
     bool carry_out(const std::optional<Change>& change, bool single_step);
     void take_over(const Change& change);
     void put_back(const Change& change);
+    void share_as_chosen();
     bool advance(bool single_step);
     void begin_reference();
     void publish(bool fresh);
     void fail(std::string_view why) noexcept;
 
-    int threads_;
+    ThreadChoice threads_;  // of a step
+    int sharing_;           // of them, now
     ErrorWatch::Mode errors_;
     Simulation simulation_;  // only the thread touches it and the next two once it runs
     Moment now_;
