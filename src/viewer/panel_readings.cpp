@@ -172,6 +172,22 @@ void show_reference(const Status& s, Widgets& widgets) {
         tip.c_str());
 }
 
+/// The energy there is, and what of it the method made or lost.
+void show_energy(const Readings& r, Widgets& widgets) {
+    const double total = r.kinetic_energy + r.spring_energy + r.gravity_energy;
+    const std::string tip =
+        "Kinetic " + joules(r.kinetic_energy) + ", elastic " + joules(r.spring_energy) + ", of height " +
+        joules(r.gravity_energy) +
+        " (zero at the flag's top).\nCreated or lost by the method: the energy of motion and springs now, less what "
+        "there "
+        "was and the work of all forces since the settings last changed, as a share of what there was and came in. An "
+        "exact method creates none; at 30 % the run is taken for broken.";
+    widgets.reading("Energy",
+                    fmt::format("{},  {:.2g} % {}", joules(total), 100.0 * std::abs(r.created_share),
+                                r.created_share < 0.0 ? "lost" : "created"),
+                    tip.c_str());
+}
+
 void show_limit(const PassReport& did, double limit, Widgets& widgets) {
     constexpr const char* tip =
         "The longest spring after the stretch limit was applied, against the limit, and how often all springs were "
@@ -191,7 +207,7 @@ void show_limit(const PassReport& did, double limit, Widgets& widgets) {
 }  // namespace
 
 float readings_height(const AppState& app) {
-    float lines = 10.6f;
+    float lines = 9.6f;
     if (app.status.limit) lines += 1.0f;
     if (app.scene.view.reference) lines += 1.0f;
     float height = lines * ImGui::GetTextLineHeightWithSpacing();
@@ -218,16 +234,7 @@ void draw_readings(const AppState& app, Widgets& widgets) {
     widgets.reading("Frame", s.clock ? quantity(s.frame_seconds, "s") : std::string(none),
                     "Wall-clock time from picture to picture.");
     const Readings& r = s.readings;
-    const double total = r.kinetic_energy + r.spring_energy + r.gravity_energy;
-    widgets.reading(
-        "Energy", joules(total) + ",  kinetic " + joules(r.kinetic_energy),
-        "Total energy: kinetic, elastic, gravitational (zero at the flag's top); and kinetic energy alone.");
-    widgets.reading("Balance",
-                    fmt::format("{:.2g} % {} by the method", 100.0 * std::abs(r.created_share),
-                                r.created_share < 0.0 ? "lost" : "created"),
-                    "Energy now, less what there was and the work of all forces since the settings last changed, as a "
-                    "share of what there was and came in. An exact method creates none; at +30 % the run is taken for "
-                    "broken.");
+    show_energy(r, widgets);
     widgets.reading(
         "Stretch", "max " + per_cent(r.max_stretch, 1) + ",  mean " + per_cent(r.mean_stretch, 2),
         "How much longer the longest spring is than at rest, and the mean change of length of all springs.");
