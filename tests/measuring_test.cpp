@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <set>
 #include <string>
 #include <thread>
 
@@ -185,8 +186,11 @@ TEST_CASE("an accuracy is met by the cheapest setting measured that has it") {
     CHECK(answer.is_good);
     CHECK_FALSE(answer.instead);
     CAPTURE(answer.text);
-    CHECK(mentions(answer.text, "1.0 mm/s for 20 ms of processor time a second, 50 times real time"));
+    CHECK(mentions(answer.text, "1.0 mm/s for 20 ms of processor time a second (50 times real time)"));
     CHECK(mentions(answer.text, "next rk4, 60 ms"));
+    const double dt = findings.trade->points[0].point.dt();
+    CHECK_FALSE(mentions(answer_for(2e-3, scene, findings, dt).text, "Now it needs"));
+    CHECK(mentions(answer_for(2e-3, scene, findings, 0.5 * dt).text, "Now it needs steps of"));
 
     SECTION("an automatic step that is never as long does not count") {
         findings.trade->automatic[0] = 0;
@@ -261,6 +265,17 @@ TEST_CASE("parts are switched off and on again in any order") {
     findings.reduced = no_drag;
     CHECK(are_of(findings, no_drag));
     CHECK_FALSE(are_of(findings, scene));
+    SECTION("a part that needs what is left out is missing too") {
+        Scene windy = scene;
+        windy.wind().emplace();
+        ScenePart wind{"wind", "wind", windy, {}, ""};
+        findings.prices->scene = windy;
+        findings.prices->parts = {Priced{.part = wind, .effect = {}, .cost = {}, .remark = ""}};
+        const Scene still = without(*findings.prices, {"springs.drag"}, windy);
+        CHECK_FALSE(still.wind());
+        CHECK(missing_parts(findings, still) == std::set<std::string>{"wind"});
+        CHECK(missing_parts(findings, windy).empty());
+    }
     SECTION("a method chosen meanwhile stays") {
         Scene other = no_drag;
         other.time.method = method_id<Rk4>;

@@ -91,10 +91,11 @@ constexpr const char* grid_verdicts[] = {"converges",
 }  // namespace
 
 std::string compared_text(const ConvergeRequest& request, const ConvergeFindings& found) {
-    const std::string start(name_of(request.scene.flag.start));
+    const std::string start = "its own start (" + std::string(name_of(request.scene.flag.start)) + ")";
     std::string text =
-        fmt::format("{}: {} compared, from its own start ({}) on{}\n", request.scene.name, quantity(found.seconds, "s"),
-                    start, request.settle > 0.0 ? ", after " + quantity(request.settle, "s") + " to swing in" : "");
+        fmt::format("{}: {} compared, {}\n", request.scene.name, quantity(found.seconds, "s"),
+                    request.settle > 0.0 ? "after " + quantity(request.settle, "s") + " to swing in from " + start
+                                         : "from " + start + " on");
     text += fmt::format("reference: rk4 in double at {}, {}\n",
                         quantity(batch_seconds / static_cast<double>(found.reference.rk4_steps), "s"),
                         known_text(found.reference.error(), found.is_beyond_horizon()));

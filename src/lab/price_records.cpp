@@ -34,10 +34,11 @@ Json share_json(const Share& share) {
     return {{"share", share.value}, {"known_to", share.known_to}};
 }
 
-/// What is known at all is known to something.
+/// What is known at all is known to something; nothing saves more than all.
 Share share_in(const Json& json) {
     const Share share{number(json.at("share")), amount(json.at("known_to"))};
-    if (std::isfinite(share.value) != std::isfinite(share.known_to)) throw std::out_of_range("a share");
+    const bool is_possible = !std::isfinite(share.value) || share.value <= 1.0;
+    if (!is_possible || std::isfinite(share.value) != std::isfinite(share.known_to)) throw std::out_of_range("a share");
     return share;
 }
 

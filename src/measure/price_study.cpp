@@ -205,14 +205,12 @@ Priced PriceStudy::measure_one(std::size_t n) {
 Prices PriceStudy::measure() {
     std::vector<std::size_t> all(parts_.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    const std::vector<PartCost> costs = time(all);
     Prices prices;
     prices.scene = scene_;
+    for (const std::size_t n : all) prices.parts.push_back(measure_one(n));
+    const std::vector<PartCost> costs = time(all);
+    for (const std::size_t n : all) prices.parts[n].cost = costs[n];
     prices.scene.ms_per_second = costs.front().scene_ms;
-    for (const std::size_t n : all) {
-        prices.parts.push_back(measure_one(n));
-        prices.parts.back().cost = costs[n];
-    }
     return prices;
 }
 

@@ -91,7 +91,7 @@ public:
     bool is_beyond_horizon() const;
     const TipStatistics& reference_tip() const { return reference_tip_; }
 
-    /// Every part: what it costs, then its effect, while the budget lasts.
+    /// Every part: its effect, while the budget lasts; then what they cost.
     Prices measure();
     /// One of them without its cost: where work is counted, whatever time it takes.
     Priced measure_one(std::size_t n);

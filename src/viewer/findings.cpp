@@ -63,38 +63,42 @@ TimeSettings settings_for(double accuracy, const Scene& scene, const Findings& f
     return time;
 }
 
-AccuracyAnswer answer_for(double accuracy, const Scene& scene, const Findings& findings) {
+AccuracyAnswer answer_for(double accuracy, const Scene& scene, const Findings& findings, double dt) {
     AccuracyAnswer answer;
     if (!findings.trade || !holds_for(findings.trade->scene, scene)) {
-        answer.text = findings.trade
-                          ? "The scene has changed since its settings were measured: the step follows the "
-                            "accuracy asked for, the method stays."
-                          : "The step follows the accuracy asked for; the method is chosen once the settings "
-                            "below are measured.";
+        answer.text = "The step follows the accuracy asked for; the method ";
+        if (findings.under_way == Measuring::Subject::trade)
+            answer.text += "is chosen once the settings are measured.";
+        else
+            answer.text += findings.trade ? "stays, for the scene has changed since its settings were measured."
+                                          : "stays, for its settings are not measured.";
         return answer;
     }
     const MeasuredTrade& trade = *findings.trade;
     const SettingChoice choice = choose_setting(trade.points, trade.automatic, trade.seconds, accuracy, most);
-    const auto measured = std::count_if(trade.points.begin(), trade.points.end(),
-                                        [](const Measured& point) { return point.is_measured(); });
     const auto told = [&](const Measured& point) {
-        return fmt::format("{} or less: {} for {} of processor time a second", setting_text(point.point),
+        return fmt::format("{}: {} for {} of processor time a second", setting_text(point.point),
                            rate_text(error_rate(point, trade.seconds)), cost_text(point.ms_per_second));
     };
     if (choice.chosen) {
         const Measured& best = trade.points[*choice.chosen];
-        answer.text = told(best) + fmt::format(", {}. The cheapest of {} settings measured that stay within it",
-                                               pace_text(best.ms_per_second), measured);
+        answer.text = told(best) + fmt::format(" ({}) when it was measured. Of automatic steps the cheapest within {}",
+                                               pace_text(best.ms_per_second), rate_text(accuracy));
         if (choice.next) {
             const Measured& next = trade.points[*choice.next];
             answer.text +=
                 fmt::format("; next {}, {} a second", name_of(next.point.method), cost_text(next.ms_per_second));
         }
         answer.text += ".";
+        constexpr double smaller = 0.95;
+        if (dt > 0.0 && dt < smaller * best.point.dt())
+            answer.text += " Now it needs steps of " + quantity(dt, "s") + ".";
         answer.is_good = choice.keeps_up;
         if (choice.keeps_up) return answer;
         answer.text += " This machine cannot keep up with that.";
     } else {
+        const auto measured = std::count_if(trade.points.begin(), trade.points.end(),
+                                            [](const Measured& point) { return point.is_measured(); });
         answer.text = fmt::format("None of {} settings measured stays within {}.", measured, rate_text(accuracy));
     }
     if (!choice.nearest) {
@@ -111,6 +115,7 @@ AccuracyAnswer answer_for(double accuracy, const Scene& scene, const Findings& f
 
 void take(MeasuredScene measurement, Scene& scene, Findings& findings) {
     findings.trouble = measurement.trouble;
+    findings.troubled = measurement.subject;
     if (measurement.trade) findings.trade = std::move(measurement.trade);
     if (measurement.prices) {
         findings.prices = std::move(measurement.prices);
@@ -153,6 +158,14 @@ Scene without(const MeasuredPrices& prices, const std::set<std::string>& left_ou
         if (part != parts.end() && part->impossible.empty()) scene = part->without;
     }
     return scene;
+}
+
+std::set<std::string> missing_parts(const Findings& findings, const Scene& now) {
+    std::set<std::string> missing;
+    for (const Priced& priced : findings.prices->parts) missing.insert(priced.part.key);
+    for (const ScenePart& part : parts_of(now)) missing.erase(part.key);
+    for (const std::string& key : findings.left_out) missing.erase(key);
+    return missing;
 }
 
 bool are_of(const Findings& findings, const Scene& now) {

@@ -17,14 +17,16 @@ struct Findings {
     std::optional<MeasuredTrade> trade;
     std::optional<MeasuredPrices> prices;
     std::optional<Measuring::Subject> under_way;
-    double share = 0.0;   // of what is under way
-    std::string trouble;  // why the last measurement came to nothing
+    double share = 0.0;             // of what is under way
+    std::string trouble;            // why the last measurement came to nothing
+    Measuring::Subject troubled{};  // and what it was of
 
     // m a simulated second: what method and step are chosen for; empty while they are the user's.
     std::optional<double> accuracy;
     TimeSettings chosen;             // that the accuracy came to; any other means that the user chose
     std::set<std::string> left_out;  // keys of parts that are switched off in the list of prices
     Scene reduced;                   // what they leave of the scene that was priced
+    std::set<std::string> missing;   // keys of parts that went with those
 };
 
 /// Whether what was measured of a scene holds for another: how it is stepped does not matter.
@@ -40,7 +42,8 @@ struct AccuracyAnswer {
     bool is_good = false;           // it is met, and the machine keeps up
     std::optional<double> instead;  // m a simulated second: the nearest that can be had
 };
-AccuracyAnswer answer_for(double accuracy, const Scene& scene, const Findings& findings);
+/// `dt`: s, the step in use; 0 where it is not known.
+AccuracyAnswer answer_for(double accuracy, const Scene& scene, const Findings& findings, double dt = 0.0);
 
 /// Takes in what was measured; the scene is stepped as an accuracy that is asked for needs.
 void take(MeasuredScene measurement, Scene& scene, Findings& findings);
@@ -53,6 +56,9 @@ std::optional<std::size_t> place_of(const TimeSettings& time, double dt, const M
 
 /// The priced scene without some of its parts, stepped as `now` is.
 Scene without(const MeasuredPrices& prices, const std::set<std::string>& left_out, const Scene& now);
+
+/// Keys of parts that were priced, are not switched off, and yet are no part of the scene: those that needed what is.
+std::set<std::string> missing_parts(const Findings& findings, const Scene& now);
 
 /// Whether the list of prices speaks of this scene, as its switches made it.
 bool are_of(const Findings& findings, const Scene& now);

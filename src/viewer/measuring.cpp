@@ -216,6 +216,7 @@ void Measuring::work(const std::stop_token& ending) {
         std::optional<MeasuredScene> found;
         try {
             found = measured(wanted, stop);
+            found->subject = wanted.subject;
         } catch (const Abandoned&) {
         }
         lock.lock();

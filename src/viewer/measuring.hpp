@@ -32,16 +32,19 @@ struct MeasuredPrices {
     double ms_per_second = NAN;         // of the scene as given
 };
 
+enum class MeasuringSubject { trade, prices };
+
 /// What became of a measurement.
 struct MeasuredScene {
     std::optional<MeasuredTrade> trade;
     std::optional<MeasuredPrices> prices;
     std::string trouble;  // why there is neither
+    MeasuringSubject subject{};
 };
 
 class Measuring {
 public:
-    enum class Subject { trade, prices };
+    using Subject = MeasuringSubject;
 
     Measuring();
     /// Ends promptly, whatever is under way.

@@ -32,8 +32,11 @@ void paragraph(const std::string& text) {
 
 /// The button that begins a measurement, or how far it is and the button that ends it.
 void measure_button(AppState& app, Subject subject, const char* label, const char* tip, Widgets& widgets) {
-    if (app.findings.under_way != subject) {
+    const Findings& findings = app.findings;
+    if (findings.under_way != subject) {
         if (widgets.button(label, tip, -1.0f)) app.commands.measure = subject;
+        if (!findings.trouble.empty() && findings.troubled == subject)
+            widgets.remark("Not measured", "Not measured: " + printable(findings.trouble) + ".", "");
         return;
     }
     const float stop = ImGui::CalcTextSize("Stop").x + 2.0f * ImGui::GetStyle().FramePadding.x;
@@ -58,11 +61,12 @@ void edit_accuracy(AppState& app, Widgets& widgets) {
     const std::optional<double> none;
     constexpr double usual = 1e-3;  // m a simulated second
     const bool was_on = findings.accuracy.has_value();
-    if (widgets.term("Accuracy", findings.accuracy, scale_of(row.about, row.control), none, usual, "as set",
-                     "The error that may be made in a second of simulated time. The program picks the method and the "
-                     "precision that cost least for it, among all that it measured, and follows it with the step. "
-                     "A method or a step set by hand ends that.",
-                     "On: the program picks the method and the step. Off: they are as the page Time says.")) {
+    if (widgets.term(
+            "Accuracy", findings.accuracy, scale_of(row.about, row.control), none, usual, "as set",
+            "The error that may be made, as the reading Error has it: in a tenth of a second, as so much a second. "
+            "The program picks the method and the precision that cost least for it with automatic steps, among "
+            "all that it measured, and follows it with the step. A method or a step set by hand ends that.",
+            "On: the program picks the method and the step. Off: they are as the page Time says.")) {
         if (findings.accuracy) {
             set_time(app, settings_for(*findings.accuracy, app.scene, findings));
             const bool known = findings.trade && holds_for(findings.trade->scene, app.scene);
@@ -72,7 +76,7 @@ void edit_accuracy(AppState& app, Widgets& widgets) {
         }
     }
     if (!findings.accuracy) return;
-    const AccuracyAnswer answer = answer_for(*findings.accuracy, app.scene, findings);
+    const AccuracyAnswer answer = answer_for(*findings.accuracy, app.scene, findings, app.status.dt);
     if (answer.is_good || !answer.instead)
         paragraph(answer.text);
     else
@@ -103,14 +107,14 @@ void draw_trade(AppState& app, Widgets& widgets) {
     const bool has = findings.trade.has_value(), is_of = has && holds_for(findings.trade->scene, app.scene);
     if (has) {
         const MeasuredTrade& trade = *findings.trade;
+        if (!is_of) paragraph("The scene has changed since this was measured.");
         const auto clicked = draw_trade_chart(trade, mark_of(app, trade), widgets);
         if (clicked) {
             findings.accuracy.reset();
             app.scene.time = settings_of(trade.points[*clicked].point, app.scene.time);
         }
-        paragraph(is_of ? fmt::format("Each flown for {} from t = {} on.", quantity(trade.seconds, "s"),
-                                      quantity(trade.since, "s"))
-                        : "The scene has changed since this was measured.");
+        paragraph(
+            fmt::format("Each flown for {} from t = {} on.", quantity(trade.seconds, "s"), quantity(trade.since, "s")));
     }
     measure_button(app, Subject::trade, is_of ? "Measure anew" : "Measure settings",
                    "Flies the scene for a tenth of a second with every method, many steps and both precisions, and "
@@ -123,7 +127,7 @@ std::string cost_text(const Priced& priced) {
     const Share& cost = priced.cost.own;
     if (!std::isfinite(cost.value)) return "\xe2\x80\x93";
     if (!cost.is_resolved()) return "< " + rounded(100.0 * cost.known_to, 2) + " %";
-    return rounded(100.0 * cost.value, 2) + " %";
+    return fmt::format("{} ± {} %", rounded(100.0 * cost.value, 2), rounded(100.0 * cost.known_to, 1));
 }
 
 std::string effect_text(const Priced& priced) {
@@ -166,7 +170,9 @@ void draw_price_rows(AppState& app, Widgets& widgets) {
     for (const Priced& priced : prices.parts) {
         const std::string& key = priced.part.key;
         ImGui::TableNextColumn();
-        bool on = !findings.left_out.contains(key);
+        const bool is_missing = findings.missing.contains(key);
+        bool on = !findings.left_out.contains(key) && !is_missing;
+        if (is_missing) ImGui::BeginDisabled();
         if (widgets.toggle(("Part: " + key).c_str(), on, tip_of(priced, prices).c_str(),
                            part_name(priced.part).c_str())) {
             if (on)
@@ -174,7 +180,9 @@ void draw_price_rows(AppState& app, Widgets& widgets) {
             else
                 findings.left_out.insert(key);
             app.scene = findings.reduced = without(prices, findings.left_out, app.scene);
+            findings.missing = missing_parts(findings, app.scene);
         }
+        if (is_missing) ImGui::EndDisabled();
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(cost_text(priced).c_str());
         ImGui::TableNextColumn();
@@ -190,12 +198,9 @@ void draw_prices(AppState& app, Widgets& widgets) {
         // Settings that the run refused were taken back.
         if (!findings.left_out.empty() && holds_for(findings.prices->scene, app.scene)) findings.left_out.clear();
         draw_price_rows(app, widgets);
-        paragraph(
-            are_of(findings, app.scene)
-                ? fmt::format("Time saved and change after {} without each part, of {} of processor time a second.",
-                              quantity(findings.prices->seconds, "s"),
-                              quantity(1e-3 * findings.prices->ms_per_second, "s", 2))
-                : "The scene has changed since it was priced.");
+        paragraph(fmt::format(
+            "Time saved and change after {} without each part alone, of {} of processor time a second.",
+            quantity(findings.prices->seconds, "s"), quantity(1e-3 * findings.prices->ms_per_second, "s", 2)));
     }
     measure_button(app, Subject::prices, findings.prices ? "Price anew" : "Price each part",
                    "What every part of the scene costs in time and changes in millimetres: the scene is flown with and "
@@ -213,7 +218,6 @@ void draw_trade_page(AppState& app, Widgets& widgets) {
     ImGui::Separator();
     ImGui::Spacing();
     draw_prices(app, widgets);
-    if (!app.findings.trouble.empty()) widgets.remark("Not measured", as_sentence(app.findings.trouble), "");
 }
 
 }  // namespace drapeau

@@ -18,6 +18,7 @@ namespace drapeau {
 namespace {
 
 constexpr double real_time = 1000.0;  // ms of processor time a simulated second
+constexpr ImU32 real_time_color = IM_COL32(255, 133, 117, 190);
 constexpr float least_decades = 1.0f;
 
 /// Told apart by who sees colours differently: Okabe and Ito's, without the darkest.
@@ -107,9 +108,7 @@ void draw_lines(const Chart& chart, const TradeMark& now) {
     const auto& [trade, error, cost, list] = chart;
     if (cost.has(real_time)) {
         const float y = cost.at(real_time);
-        const ImU32 color = IM_COL32(255, 133, 117, 190);
-        list->AddLine({error.from, y}, {error.to, y}, color);
-        list->AddText({error.from + 4.0f, y - ImGui::GetTextLineHeight()}, color, "real time");
+        list->AddLine({error.from, y}, {error.to, y}, real_time_color);
     }
     if (now.accuracy && error.has(1e3 * *now.accuracy)) {
         const float x = error.at(1e3 * *now.accuracy);
@@ -132,6 +131,17 @@ void draw_point(const Chart& chart, const Measured& point, float radius) {
     } else {
         chart.list->AddCircle(at, radius, color, 16, 1.6f);
     }
+}
+
+/// Over the points, which it may stand among.
+void name_real_time(const Chart& chart) {
+    if (!chart.cost.has(real_time)) return;
+    const char* name = "real time";
+    const ImVec2 size = ImGui::CalcTextSize(name);
+    const ImVec2 at{chart.error.from + 4.0f, chart.cost.at(real_time) - 0.5f * size.y};
+    chart.list->AddRectFilled({at.x - 2.0f, at.y}, {at.x + size.x + 2.0f, at.y + size.y},
+                              ImGui::GetColorU32(ImGuiCol_WindowBg));
+    chart.list->AddText(at, real_time_color, name);
 }
 
 void draw_mark(const Chart& chart, const TradeMark& now, float radius) {
@@ -194,7 +204,7 @@ void draw_key(const MeasuredTrade& trade) {
 
 std::optional<std::size_t> draw_trade_chart(const MeasuredTrade& trade, const TradeMark& now, Widgets& widgets) {
     const float line = ImGui::GetTextLineHeight(), radius = 0.26f * line;
-    const float left = ImGui::CalcTextSize("1e-10").x, width = ImGui::GetContentRegionAvail().x;
+    const float left = ImGui::CalcTextSize("100000").x, width = ImGui::GetContentRegionAvail().x;
     const float height = 11.0f * line;
     Chart chart{trade, {}, {}};
     for (const Measured& point : trade.points) {
@@ -213,12 +223,13 @@ std::optional<std::size_t> draw_trade_chart(const MeasuredTrade& trade, const Tr
     chart.error.from = corner.x + left, chart.error.to = corner.x + width - 1.5f * radius;
     chart.cost.from = corner.y + height, chart.cost.to = corner.y;
     draw_axes(chart);
-    const char* title = "error, mm in a simulated second";
+    const char* title = "error in a tenth of a second, mm/s";
     chart.list->AddText({chart.error.to - ImGui::CalcTextSize(title).x, corner.y + height + 1.1f * line},
                         ImGui::GetColorU32(ImGuiCol_TextDisabled), title);
     draw_lines(chart, now);
     for (const Measured& point : trade.points)
         if (chart.is_drawn(point)) draw_point(chart, point, radius);
+    name_real_time(chart);
     draw_mark(chart, now, radius);
     for (const std::size_t n : trade.front) {
         const ImVec2 at = chart.place(trade.points[n]);

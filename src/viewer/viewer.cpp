@@ -173,7 +173,11 @@ void Viewer::use_safe_step() {
 
 void Viewer::measure_wanted() {
     Findings& findings = app_.findings;
-    if (app_.commands.stop_measuring) measuring_.stop();
+    if (app_.commands.stop_measuring && findings.under_way) {
+        measuring_.stop();
+        findings.trouble = "stopped before it was done";
+        findings.troubled = *findings.under_way;
+    }
     if (app_.commands.measure) {
         findings.trouble.clear();
         measuring_.measure(*app_.commands.measure, app_.scene);
@@ -214,6 +218,8 @@ void Viewer::hear_of_run() {
         app_.scene = sent_ = kept;
     } else if (answer == RunMessages::Answer::taken && opening_) {
         adopt(std::move(*opening_));
+        measuring_.stop();
+        app_.findings = {};
         sent_ = app_.scene;
         camera_.reset();
         opening_.reset();

@@ -357,7 +357,7 @@ TEST_CASE("the error of the run is shown, and a tolerance makes the step smaller
         return value(look, "Reading: Step limit").find(" of 0.1 mm/s asked") != std::string::npos;
     });
     // Nothing is wider than the panel, in which every control ends at the same place.
-    const double right = met.controls.at("Page: Time").box.x1;
+    const double right = met.controls.at("Page: Trade").box.x1;
     for (const auto& [label, control] : met.controls)
         if (label.starts_with("Reading: ")) {
             INFO(label << ": " << control.value);

@@ -63,7 +63,8 @@ TEST_CASE_METHOD(Spring, "a setting that was measured is clicked, and the flag i
 TEST_CASE_METHOD(Spring, "an accuracy picks the method, says why, and a method set by hand ends it") {
     app.set("Accuracy on", true);
     const Look look = app.wait_until("the answer", [](const Look& now) {
-        return now.has("Answer") && now.controls.at("Answer").value.find("The cheapest of") != std::string::npos;
+        return now.has("Answer") &&
+               now.controls.at("Answer").value.find("Of automatic steps the cheapest") != std::string::npos;
     });
     const std::string answer = look.controls.at("Answer").value;
     const std::string method = answer.substr(0, answer.find(' '));
