@@ -140,7 +140,7 @@ TEST_CASE("what a part costs and matters is found beside the flag") {
     CHECK(has_drag);
 }
 
-TEST_CASE("a measurement can be ended at any moment, and another takes its place") {
+TEST_CASE("a measurement can be ended at any moment, and another takes its place", "[threads]") {
     Scene large = oscillator();
     large.flag.columns = 60, large.flag.rows = 40;
     Measuring measuring;

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 const std::string trade = "trade spring --settle 0 --precisions double --methods leapfrog,rk4,semi-implicit-euler ";
 const std::string stability = "stability spring --methods leapfrog,rk4,xpbd --stiffness 0.5,500 --damping 0,0.1 ";
 
-const std::string price = "price spring --settle 0 ";
+const std::string price = "price spring --settle 0 --budget 0.05 ";  // most of it would go into times
 const std::string converge =
     "converge drum --set flag.columns=4 --set flag.rows=4 --methods leapfrog,rk4 --levels 3 --seconds 0.05 ";
 
