@@ -17,18 +17,21 @@ struct Size {
 constexpr Size sizes[] = {{16, 16},   {32, 32},   {45, 30},     {64, 64},    {128, 128},
                           {256, 256}, {512, 512}, {1024, 1024}, {2048, 2048}};
 constexpr Size two_sizes[] = {{64, 64}, {256, 256}};
+constexpr Size faces_sizes[] = {{45, 30}, {128, 128}};
 constexpr Size watched_sizes[] = {{12, 8}, {45, 30}, {128, 128}, {512, 512}};
 constexpr Precision precisions[] = {Precision::single_precision, Precision::double_precision};
 
 constexpr Listing all;
 constexpr Listing no_diagonals{.diagonal = false};
 constexpr Listing no_damping{.damping = false};
-constexpr Listing no_wind{.wind = Air::still};
-constexpr Listing no_drag{.drag = false, .wind = Air::still};  // wind is felt through drag
-constexpr Listing springs_alone{.gravity = false, .drag = false, .wind = Air::still};
+constexpr Listing no_wind{.wind = Blowing::still};
+constexpr Listing no_drag{.drag = false, .wind = Blowing::still};  // wind is felt through drag
+constexpr Listing springs_alone{.gravity = false, .drag = false, .wind = Blowing::still};
 constexpr Listing limit{.limit = true};
-constexpr Listing travelling_x{.wind = Air::travelling_x};
-constexpr Listing travelling_xy{.wind = Air::travelling_xy};
+constexpr Listing faces{.drag = false, .faces = true};
+constexpr Listing faces_travelling{.drag = false, .wind = Blowing::travelling_x, .faces = true};
+constexpr Listing travelling_x{.wind = Blowing::travelling_x};
+constexpr Listing travelling_xy{.wind = Blowing::travelling_xy};
 
 bool is_one_of(const Size& size, std::span<const Size> some) {
     return std::find(some.begin(), some.end(), size) != some.end();
@@ -49,8 +52,9 @@ std::vector<std::string> Listing::names() const {
     if (damping) names.push_back("damping");
     if (gravity) names.push_back("gravity");
     if (drag) names.push_back("drag");
-    if (wind != Air::still) names.push_back("wind");
+    if (wind != Blowing::still) names.push_back("wind");
     if (limit) names.push_back("limit");
+    if (faces) names.push_back("air on faces");
     return names;
 }
 
@@ -59,16 +63,18 @@ std::string Listing::label() const {
     const auto add = [&](bool there, const char* part) {
         if (there) label += (label.empty() ? "" : "-") + std::string(part);
     };
-    const bool still = wind == Air::still;
-    add(!diagonal || !damping || !gravity || !drag || still, "no");
+    const bool still = wind == Blowing::still;
+    const bool dragless = !drag && !faces;
+    add(!diagonal || !damping || !gravity || dragless || still, "no");
     add(!diagonal, "diagonals");
     add(!damping, "damping");
     add(!gravity, "gravity");
-    add(!drag, "drag");
+    add(dragless, "drag");
     add(still, "wind");
     add(limit, "limit");
-    add(wind == Air::travelling_x, "travelling");
-    add(wind == Air::travelling_xy, "travelling-down");
+    add(faces, "air");
+    add(wind == Blowing::travelling_x, "travelling");
+    add(wind == Blowing::travelling_xy, "travelling-down");
     return label.empty() ? "all" : label;
 }
 
@@ -131,6 +137,8 @@ std::vector<Case> all_cases() {
             if (is_one_of(size, two_sizes))
                 for (const Listing& listing : {limit, travelling_x, travelling_xy})
                     add(Work::step, size, precision, listing);
+            if (is_one_of(size, faces_sizes))
+                for (const Listing& listing : {faces, faces_travelling}) add(Work::step, size, precision, listing);
         }
     for (const Work work : {Work::watched, Work::accounted, Work::measure, Work::mode})
         for (const Size& size : watched_sizes)
@@ -160,18 +168,19 @@ Scene scene_of(const Case& c) {
     if (listing.drag) scene.springs.drag = 6e-4;
     if (listing.gravity) scene.terms.add(Gravity{});
     switch (listing.wind) {
-        case Air::still:
+        case Blowing::still:
             break;
-        case Air::steady:
+        case Blowing::steady:
             scene.terms.add(Wind{.velocity = {6.0, 0.0, 0.0}});
             break;
-        case Air::travelling_x:
+        case Blowing::travelling_x:
             scene.terms.add(Wind{.velocity = {6.0, 0.0, 0.0}, .gusts = {1.0, 0.0, 1.0}, .travelling = true});
             break;
-        case Air::travelling_xy:
+        case Blowing::travelling_xy:
             scene.terms.add(Wind{.velocity = {6.0, -1.0, 0.0}, .gusts = {1.0, 0.0, 1.0}, .travelling = true});
             break;
     }
+    if (listing.faces) scene.terms.add(drapeau::Air{});
     if (listing.limit) scene.limits.add(StretchLimit{.stretch = 0.5});
     scene.time.method = c.method;
     scene.time.precision = c.precision;

@@ -21,13 +21,14 @@ enum class Work {
     report      // whole steps of the report's own arrangement
 };
 
-enum class Air { still, steady, travelling_x, travelling_xy };
+enum class Blowing { still, steady, travelling_x, travelling_xy };
 
 /// What a case's model lists besides masses and structural springs.
 struct Listing {
     bool diagonal = true, damping = true, gravity = true, drag = true;
-    Air wind = Air::steady;
+    Blowing wind = Blowing::steady;
     bool limit = false;
+    bool faces = false;  // the air on faces, instead of drag
 
     bool operator==(const Listing&) const = default;
     /// Names of what is there, "structural" first.

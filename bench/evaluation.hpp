@@ -27,6 +27,7 @@ public:
         pass_.width = rows_.width();
         pass_.constants = rows_.constants();
         pass_.acceleration = std::as_const(pushed_).view();
+        pass_.acceleration.stride = 0;  // one row for all
         pass_.dt = static_cast<Real>(dt);
         pass_.waiting = waiting_.view();
         pass_.out = out_.view();

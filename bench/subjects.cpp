@@ -86,7 +86,7 @@ class ModeLooks final : public EngineSteps {
 public:
     ModeLooks(const Case& c, const State<double>& start) : EngineSteps(c, start), case_(c), start_(start) {}
     void restore() override { static_cast<EngineSteps&>(*this) = EngineSteps(case_, start_); }
-    void run(int times) override { mode_ = engine_->fastest_mode(2.0, 2.0, dt, times); }
+    void run(int times) override { mode_ = engine_->fastest_mode(2.0, 2.0, dt, times, 0.0); }
     std::uint64_t hash() const override { return std::bit_cast<std::uint64_t>(mode_.stiffness); }
 
 private:

@@ -57,8 +57,8 @@ TEMPLATE_LIST_TEST_CASE(
                 sheet.advance(0.5 * bound, static_cast<long long>(0.3 / (0.5 * bound)));  // it flies
                 FastestMode<Real> mode;
                 const auto look = [&](int looks) {
-                    const auto found =
-                        mode.look(sheet.stepper, Method::damping_weight, Method::on_mass_weight, 1.2 * bound, looks);
+                    const auto found = mode.look(sheet.stepper, Method::damping_weight, Method::on_mass_weight,
+                                                 1.2 * bound, looks, 0.0);
                     return exact_step(Method{}, found).seconds();
                 };
                 const auto exact = [&] { return exact_limit(Method{}, reference, sheet.positions(), bound); };
@@ -86,7 +86,7 @@ TEST_CASE("The limit here and now is never below the closed bound", "[physics]")
     for (const double size : {0.0, 0.02, 0.2}) {
         Sheet<double, SemiImplicitEuler> sheet(model, scattered(model.grid, size), at_rest(model));
         FastestMode<double> mode;
-        const auto found = mode.look(sheet.stepper, 2.0, 2.0, bound, 300);
+        const auto found = mode.look(sheet.stepper, 2.0, 2.0, bound, 300, 0.0);
         CHECK(exact_step(SemiImplicitEuler{}, found).seconds() > bound);
     }
 }
@@ -101,7 +101,7 @@ TEST_CASE("A flat sheet of light borders swings fastest at 4(k + kd)/m and littl
         for (auto& p : x) p *= longer;
         Sheet<double, SemiImplicitEuler> sheet(model, x, at_rest(model));
         FastestMode<double> mode;
-        return mode.look(sheet.stepper, 2.0, 2.0, 0.1, 2000).stiffness;
+        return mode.look(sheet.stepper, 2.0, 2.0, 0.1, 2000, 0.0).stiffness;
     };
     for (const double kd : {1.0, 0.5, 0.1}) {
         CHECK(fastest(1, kd, 1.0) == Approx(4.0 + 8.0 * kd).epsilon(1e-6));

@@ -84,6 +84,7 @@ public:
         if (const auto& term = model.terms.get<AirDrag>()) drag_ = term->d;
         if (const auto& term = model.terms.get<Friction>()) friction_ = term->c_f;
         if (const auto& term = model.terms.get<Wind>()) wind_ = *term;
+        if (const auto& term = model.terms.get<Air>()) air_ = *term;
     }
 
     const std::vector<Spring>& springs() const { return springs_; }
@@ -121,12 +122,30 @@ public:
         return most;
     }
 
+    /// Force (N) of the air on mass n's share of the cloth, that the wind (m/s) passes.
+    glm::dvec3 air_force(const Points& x, const Points& v, int n, const glm::dvec3& wind) const {
+        const Grid& grid = model_.grid;
+        if (!air_ || grid.columns == 1 || grid.rows == 1) return glm::dvec3(0.0);
+        const int i = n % grid.columns, j = n / grid.columns;
+        const int left = std::max(i - 1, 0), right = std::min(i + 1, grid.columns - 1);
+        const int above = std::max(j - 1, 0), below = std::min(j + 1, grid.rows - 1);
+        const auto at = [&](int column, int row) { return x[row * grid.columns + column]; };
+        const auto face = cross(at(right, j) - at(left, j), at(i, above) - at(i, below));
+        const auto normal = face / length(face), u = wind - v[n], across = dot(u, normal) * normal, along = u - across;
+        const double area = grid.pitch_x * (right - left) / 2.0 * grid.pitch_y * (below - above) / 2.0;
+        return 0.5 * air_->density * area *
+               (air_->pressure.value_or(0.0) * length(across) * across +
+                air_->skin.value_or(0.0) * length(along) * along);
+    }
+
     /// Acceleration of every mass at time t (s); none where attached.
     Points acceleration(const Points& x, const Points& v, double t) const {
         Points a = forces(x, v);
         for (int n = 0; n < count_; ++n) {
             const auto wind = wind_.at(t, model_.grid.rest(n % model_.grid.columns, n / model_.grid.columns));
-            a[n] = gravity_ + (a[n] + shares_[n] * (drag_ * (wind - v[n]) - friction_ * v[n])) / mass(n);
+            a[n] =
+                gravity_ +
+                (a[n] + shares_[n] * (drag_ * (wind - v[n]) - friction_ * v[n]) + air_force(x, v, n, wind)) / mass(n);
             if (is_held(model_, n)) a[n] = glm::dvec3(0.0);
         }
         return a;
@@ -197,6 +216,7 @@ private:
     glm::dvec3 gravity_{0.0};
     double drag_ = 0.0, friction_ = 0.0;
     Wind wind_;
+    std::optional<Air> air_;
 };
 
 }  // namespace drapeau::testing

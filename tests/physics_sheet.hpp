@@ -103,7 +103,7 @@ inline State<double> state_of(const Grid& grid, const Points& x, const Points& v
 /// A method's kernels in registers of V for what the model lists.
 template <class V, class Method>
 Kernels<typename Lanes<V>::Real> kernels_for(const Model& model) {
-    if (model.is_damped())
+    if (model.is_damped_for<Method>())
         return model.has_diagonals() ? kernels_of<V, Method, true, true, true>()
                                      : kernels_of<V, Method, true, false, true>();
     return model.has_diagonals() ? kernels_of<V, Method, false, true, true>()
@@ -193,6 +193,7 @@ public:
         p.width = constants_.width();
         p.constants = constants_.constants();
         p.acceleration = std::as_const(acceleration_).view();
+        p.acceleration.stride = 0;  // one row for all
         p.accelerate = &fill;
         p.terms = this;
         p.time = t;

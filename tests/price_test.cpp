@@ -115,6 +115,23 @@ TEST_CASE("what drag, wind and weight change of falling masses is the difference
     check_effect(drag, [](double t) { return std::hypot(6.0 * carried(t), 9.81 / rate * carried(t) - 4.905 * t * t); });
 }
 
+TEST_CASE("the air on faces and each part of it is priced, and moves a sheet that hangs broadside as in closed form") {
+    // Four masses, corners of one cell, each a quarter of its area: at rest, in a wind across the sheet, the air pushes
+    // each of them with rho/2 C_d A/4 w^2 (m + ...): v = w - w/(1 + t/tau), tau = 2m/(rho C_d (A/4) w).
+    const Bench bench;
+    bench.write("blown.toml",
+                "[flag]\ncolumns = 2\nrows = 2\nwidth = 0.4\nheight = 0.4\nattach = \"none\"\ndisturbance = 0\n"
+                "[springs]\nmass = 0.01\nstiffness = 1\n[air]\n[wind]\nvelocity = [0, 0, 3]\n");
+    const Json found = price(bench, "blown.toml --settle 0");
+    CHECK(keys_of(found["terms"]) == std::vector<std::string>{"air", "air.pressure", "air.skin", "wind"});
+    const double w = 3.0, tau = 2.0 * 0.01 / (1.2 * 1.2 * 0.04 * w);
+    const auto carried_by_air = [&](double t) { return w * t - w * tau * std::log(1.0 + t / tau); };
+    check_effect(term(found, "air.pressure"), carried_by_air);
+    check_effect(term(found, "wind"), carried_by_air);
+    CHECK(term(found, "air")["also"] == Json{"wind"});
+    CHECK(term(found, "air.skin")["effect_rms_m"].get<double>() < 1e-6);
+}
+
 TEST_CASE("parts of the wind are priced alone: the mean's effect does not depend on gusts") {
     const Bench bench;
     bench.write("fall.toml", fall("[2, 0, 3]") + "travelling = true\n");

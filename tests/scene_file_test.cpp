@@ -91,6 +91,9 @@ public:
         if (coin()) scene.springs.damping = coin() ? 0.0 : positive(1e-9, 1e6);
         if (coin()) scene.springs.friction = positive(1e-9, 1e6);
         if (coin()) scene.gravity() = Gravity{three(-1e4, 1e4)};
+        if (coin())
+            scene.terms.add(Air{positive(1e-3, 1e3), coin() ? std::optional(number(0.0, 100.0)) : std::nullopt,
+                                coin() ? std::optional(number(0.0, 100.0)) : std::nullopt});
         if (coin()) scene.limits.add(StretchLimit{positive(1e-6, 10.0)});
         if (coin()) {
             scene.wind() = Wind{three(-1e6, 1e6), three(0.0, 1e6), positive(1e-3, 1e6), coin(), random_() >> 1};
@@ -209,6 +212,10 @@ TEST_CASE("every key of the format is read") {
         friction = 0.3
         [gravity]
         acceleration = [1, -2.5, 3]
+        [air]
+        density = 1.1
+        pressure = 1.25
+        skin = "off"
         [wind]
         velocity = [4, 5, 6]
         gusts = [0.1, 0.2, 0.3]
@@ -236,6 +243,7 @@ TEST_CASE("every key of the format is read") {
     expected.flag = {3, 4, 2.0, 0.5, Attach::grommets, Start::crumpled, 0.1, 0.02, "a.png"};
     expected.springs = {1e-3, 30.0, 15.0, 0.1, 0.2, 0.3};
     expected.gravity() = Gravity{{1.0, -2.5, 3.0}};
+    expected.terms.add(Air{1.1, 1.25, {}});
     expected.wind() = Wind{{4.0, 5.0, 6.0}, {0.1, 0.2, 0.3}, 7.0, true, 8};
     expected.limits.add(StretchLimit{0.05});
     expected.time = {method_id<ForwardEuler>, 0.001, Precision::double_precision};
@@ -314,7 +322,7 @@ TEST_CASE("an unknown key or table is named, with what may have been meant") {
 }
 
 TEST_CASE("what the format reserves for later is refused as not available") {
-    for (const std::string table : {"fabric", "face_pressure", "bending", "ground", "pole"}) {
+    for (const std::string table : {"fabric", "bending", "ground", "pole"}) {
         const std::string message = message_of(springs + "[" + table + "]\n");
         INFO(message);
         CHECK(message.starts_with("storm.toml:4: [" + table + "]: not available in this version"));
@@ -337,6 +345,26 @@ TEST_CASE("a scene has exactly one material") {
 TEST_CASE("wind that nothing feels is an error") {
     CHECK(has(message_of(springs + "[wind]\nvelocity = [1, 0, 0]\n"), "storm.toml:4: wind: nothing would feel it"));
     CHECK(message_of(springs + "drag = 0.1\n[wind]\nvelocity = [1, 0, 0]\n").empty());
+    // The air on faces feels it as well as drag does, or any part of it.
+    const auto in_air = [](const std::string& parts) { return message_of(springs + "[air]\n" + parts + "[wind]\n"); };
+    CHECK(in_air("").empty());
+    CHECK(in_air("pressure = \"off\"\n").empty());
+    CHECK(in_air("skin = \"off\"\n").empty());
+    CHECK(has(in_air("pressure = \"off\"\nskin = \"off\"\n"), "give springs.drag or [air] too"));
+}
+
+TEST_CASE("air on faces has the values of common air and cloth, and a part of it may be off") {
+    const auto air_of = [](const std::string& keys) {
+        return *parse_scene(springs + "[air]\n" + keys, "x").terms.get<Air>();
+    };
+    CHECK(air_of("") == Air{.density = 1.2, .pressure = 1.2, .skin = 0.05});
+    CHECK(air_of("pressure = \"off\"\nskin = 0.02\n") == Air{.density = 1.2, .pressure = {}, .skin = 0.02});
+    CHECK(has(message_of(springs + "[air]\nskin = -1\n"),
+              "storm.toml:5: air.skin = -1: \"off\" or a number from 0 to 100 is allowed"));
+    CHECK(has(message_of(springs + "[air]\npressure = \"none\"\n"), "air.pressure = \"none\": \"off\" or"));
+    const Model model = model_of(parse_scene(springs + "[air]\n", "x"));
+    CHECK(model.air() != nullptr);
+    CHECK(model_of(parse_scene(springs, "x")).air() == nullptr);
 }
 
 TEST_CASE("a tolerance goes with an automatic step, and one beside a given step is an error") {
@@ -502,6 +530,7 @@ TEST_CASE("an assignment may be said as people say it, and is refused as in a fi
     CHECK(assigned({"wind=on", "wind=off"}).wind() == std::nullopt);
     CHECK(assigned({"gravity=off"}).gravity() == std::nullopt);
     CHECK(assigned({"springs.drag=off"}).springs.drag == std::nullopt);
+    CHECK(assigned({"air=on", "air.pressure=off"}).terms.get<Air>() == Air{.pressure = {}});
     CHECK(assigned({"time.dt=0.001", "time.dt=auto"}).time.dt == std::nullopt);
     CHECK(assigned({"view.springs=off", "view.masses=on"}).view.masses);
     CHECK_FALSE(assigned({"view.springs=off"}).view.springs);

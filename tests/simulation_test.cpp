@@ -217,6 +217,30 @@ TEST_CASE("A change of settings keeps time, place and velocity", "[physics]") {
     }
 }
 
+TEST_CASE("Air on faces joins and leaves a run, whatever its method, and its parts are strengths", "[physics]") {
+    for (const Method method : all_methods()) {
+        Scene scene = small();
+        scene.time.method = method;
+        scene.time.dt = 1e-4;
+        Simulation simulation(scene), without(scene);
+        Scene airy = scene;
+        airy.terms.add(Air{});
+        simulation.change(airy);
+        CHECK(masses(simulation) == masses(without));
+        run(simulation, 3), run(without, 3);
+        CHECK(distance(simulation, without) > 1e-4);
+        Scene skin_alone = airy;
+        skin_alone.terms.get<Air>()->pressure.reset();
+        simulation.change(skin_alone);
+        CHECK(simulation.model().air() != nullptr);
+        run(simulation, 1);
+        const auto state = masses(simulation);
+        simulation.change(scene);
+        CHECK(masses(simulation) == state);
+        run(simulation, 1);
+    }
+}
+
 TEST_CASE("An impossible change is refused and changes nothing", "[physics]") {
     Simulation simulation(small());
     run(simulation, 3);

@@ -64,6 +64,32 @@ TEMPLATE_LIST_TEST_CASE("Any number of threads gives the same bits", "[physics][
             }
 }
 
+TEMPLATE_LIST_TEST_CASE("Any number of threads gives the same bits with air on faces", "[physics][threads]", AllCases) {
+    using Tested = Sheet<typename TestType::Real, typename TestType::Method>;
+    constexpr int steps = steps_of<typename TestType::Method>;
+    for (const auto& [columns, rows] : {std::pair{5, 2}, {17, 7}, {33, 12}, {4, 41}})
+        for (const std::optional<double> damping : {std::optional<double>(), std::optional(0.05)})
+            for (const auto& [travelling, limited] : {std::pair{false, false}, {true, true}}) {
+                Model model = storm({columns, rows, 0.1, 0.08}, {0.01, 200.0, 100.0, damping}, travelling, limited);
+                model.terms.add(Air{});
+                const auto x = scattered(model.grid, 0.015), v = noise(masses_of(model), 1.0);
+                Tested alone(model, x, v);
+                const Report report = alone.advance(dt, steps, steps / 2);
+                const Measurement measured = alone.measure();
+                const double air_rate = alone.stepper.air_rate(alone.time());
+                CHECK(air_rate > 0.0);
+                for (const int threads : {2, 3, 5}) {
+                    if (sanitized && threads == 3) continue;
+                    Tested shared(model, x, v);
+                    shared.stepper.use_threads(threads);
+                    CHECK(same(shared.advance(dt, steps, steps / 2), report));
+                    CHECK(same_bits(alone, shared));
+                    CHECK(same(shared.measure(), measured));
+                    CHECK(shared.stepper.air_rate(shared.time()) == air_rate);
+                }
+            }
+}
+
 TEMPLATE_LIST_TEST_CASE("The number of threads may change on the way", "[physics][threads]", AllCases) {
     using Tested = Sheet<typename TestType::Real, typename TestType::Method>;
     constexpr int steps = steps_of<typename TestType::Method>;

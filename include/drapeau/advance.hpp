@@ -3,6 +3,7 @@
 
 #include "drapeau/method.hpp"
 #include "drapeau/sweep.hpp"
+#include "drapeau/terms/air.hpp"
 
 #include <utility>
 
@@ -13,8 +14,10 @@ inline namespace DRAPEAU_ISA {
 template <class Real, int fields>
 struct PassRow {
     Field<Real> field[fields];
+    Field<const Real> pushed;  // what terms push this row with; where a halo goes does not matter
 
-    DRAPEAU_INLINE PassRow(const Pass<Real>& pass, int j) {
+    DRAPEAU_INLINE PassRow(const Pass<Real>& pass, int j)
+        : pushed(pass.acceleration.row(j < pass.first ? pass.first : j)) {
         const int above = j - (pass.first - pass.halo), below = j - pass.last;
         for (int f = 0; f < fields; ++f)
             field[f] = j < pass.first  ? pass.above[f].row(above)
@@ -32,8 +35,8 @@ DRAPEAU_INLINE Vec3<V> acceleration_of(const Vec3<V>& force, V inverse_mass, con
             L::where_positive(inverse_mass, a.z)};
 }
 
-/// Sweeps the rows of a pass, `fresh` beginning each. Calls finish(fields of the row, its constants, i, value) on each
-/// register and row_end(j, operation) after each row, those of the halo above included.
+/// Sweeps the rows of a pass, `fresh` beginning each. Calls finish(the row, its constants, i, value) on each register
+/// and row_end(j, operation) after each row, those of the halo above included.
 template <class V, class Operation, bool diagonals, int fields, int seen_position, int seen_velocity, class Finish,
           class RowEnd>
 DRAPEAU_INLINE void for_rows(const Pass<typename Lanes<V>::Real>& pass, Finish&& finish, RowEnd&& row_end,
@@ -54,7 +57,7 @@ DRAPEAU_INLINE void for_rows(const Pass<typename Lanes<V>::Real>& pass, Finish&&
             seen_next{next.field[seen_position], next.field[seen_velocity]};
         sweep.row(constants, seen, has_next ? &seen_next : nullptr,
                   [&](int i, const typename Operation::Value& value)
-                      DRAPEAU_INLINE_LAMBDA { finish(here.field, constants, i, value); });
+                      DRAPEAU_INLINE_LAMBDA { finish(here, constants, i, value); });
         row_end(j, sweep.operation);
         sweep.operation = fresh;
         here = next;
@@ -67,19 +70,17 @@ void advance_rows(const Pass<typename Lanes<V>::Real>& pass) {
     using L = Lanes<V>;
     using Real = typename L::Real;
     constexpr int fields = Method::template fields<damped>;
-    const auto pushed = pass.acceleration;
     const Real dt = pass.dt;
     for_rows<V, SpringForce<V, damped>, diagonals, fields, Method::template seen_position<damped>,
              Method::template seen_velocity<damped>>(
         pass,
-        [&](const Field<Real>* row, const RowConstants<Real>& constants, int i, const Vec3<V>& force)
-            DRAPEAU_INLINE_LAMBDA {
-                const auto a = acceleration_of(force, L::load(constants.inverse_mass + i), pushed.template at<V>(i));
-                if constexpr (rated)
-                    Method::template move<number, damped>(Masses<V>{row, i}, a, L::load(constants.rate + i), dt);
-                else
-                    Method::template move<number, damped>(Masses<V>{row, i}, a, NoRate{}, dt);
-            },
+        [&](const auto& row, const RowConstants<Real>& constants, int i, const Vec3<V>& force) DRAPEAU_INLINE_LAMBDA {
+            const auto a = acceleration_of(force, L::load(constants.inverse_mass + i), row.pushed.template at<V>(i));
+            if constexpr (rated)
+                Method::template move<number, damped>(Masses<V>{row.field, i}, a, L::load(constants.rate + i), dt);
+            else
+                Method::template move<number, damped>(Masses<V>{row.field, i}, a, NoRate{}, dt);
+        },
         [](int, const auto&) DRAPEAU_INLINE_LAMBDA {});
 }
 
@@ -88,16 +89,15 @@ void advance_rows(const Pass<typename Lanes<V>::Real>& pass) {
 template <class V, bool damped, bool diagonals, int fields, int seen_position, int seen_velocity, class Move>
 DRAPEAU_INLINE void for_rows_accounted(const Pass<typename Lanes<V>::Real>& pass, double share, Move&& move) {
     using L = Lanes<V>;
-    const auto pushed = pass.acceleration;
     V external{}, damping{};
     Vec3<V> drift{};
     for_rows<V, SpringForceParts<V, damped>, diagonals, fields, seen_position, seen_velocity>(
         pass,
-        [&](const auto* row, const auto& constants, int i, const Parts<V>& force) DRAPEAU_INLINE_LAMBDA {
+        [&](const auto& row, const auto& constants, int i, const Parts<V>& force) DRAPEAU_INLINE_LAMBDA {
             const V w = L::load(constants.inverse_mass + i), m = L::load(constants.mass + i);
             const auto springs = force.elastic + force.damping;
-            const auto a = acceleration_of(springs, w, pushed.template at<V>(i));
-            const auto motion = move(Masses<V>{row, i}, constants, a);
+            const auto a = acceleration_of(springs, w, row.pushed.template at<V>(i));
+            const auto motion = move(Masses<V>{row.field, i}, constants, a);
             external = external + m * dot(motion.acceleration - w * springs, motion.velocity);
             damping = damping + dot((m * w) * force.damping, motion.velocity);
             drift = drift + m * motion.velocity;
@@ -134,18 +134,17 @@ void measure_rows(const Pass<typename Lanes<V>::Real>& pass) {
     using L = Lanes<V>;
     using Real = typename L::Real;
     constexpr int fields = Method::template fields<damped>;
-    const auto pushed = pass.acceleration;
     const Real dt = pass.dt;
     V kinetic{}, kinetic_now{}, power{};
     Vec3<V> moment{};
     for_rows<V, SpringGauge<V, damped>, diagonals, fields, 0, Method::template seen_velocity<damped>>(
         pass,
-        [&](const Field<Real>* row, const RowConstants<Real>& constants, int i,
-            const Parts<V>& force) DRAPEAU_INLINE_LAMBDA {
+        [&](const auto& row, const RowConstants<Real>& constants, int i, const Parts<V>& force) DRAPEAU_INLINE_LAMBDA {
             const V w = L::load(constants.inverse_mass + i), m = L::load(constants.mass + i);
-            const auto v = row[1].template at<V>(i);
-            const auto a = Method::total(acceleration_of(force.elastic + force.damping, w, pushed.template at<V>(i)),
-                                         L::load(constants.rate + i), v, dt);
+            const auto v = row.field[1].template at<V>(i);
+            const auto a =
+                Method::total(acceleration_of(force.elastic + force.damping, w, row.pushed.template at<V>(i)),
+                              L::load(constants.rate + i), v, dt);
             if constexpr (Method::staggered)
                 kinetic = kinetic + m * dot(v, v + dt * a);
             else
@@ -153,7 +152,7 @@ void measure_rows(const Pass<typename Lanes<V>::Real>& pass) {
             const auto centred = v + pass.half_kick * a;
             kinetic_now = kinetic_now + m * dot(centred, centred);
             power = power + m * dot(a - w * force.elastic, v);
-            moment = moment + m * row[0].template at<V>(i);
+            moment = moment + m * row.field[0].template at<V>(i);
         },
         [&](int j, const auto& gauge) DRAPEAU_INLINE_LAMBDA {
             if (j >= pass.first) {
@@ -179,14 +178,12 @@ void evaluate_rows(const Pass<typename Lanes<V>::Real>& pass) {
     using L = Lanes<V>;
     using Real = typename L::Real;
     constexpr int fields = Method::template fields<damped>;
-    const auto pushed = pass.acceleration;
     Field<Real> out = pass.out.row(pass.first);  // a halo's values are overwritten by the row's own
     for_rows<V, SpringForce<V, damped>, diagonals, fields, 0, Method::template seen_velocity<damped>>(
         pass,
-        [&](const Field<Real>*, const RowConstants<Real>& constants, int i, const Vec3<V>& force)
-            DRAPEAU_INLINE_LAMBDA {
-                out.set(i, acceleration_of(force, L::load(constants.inverse_mass + i), pushed.template at<V>(i)));
-            },
+        [&](const auto& row, const RowConstants<Real>& constants, int i, const Vec3<V>& force) DRAPEAU_INLINE_LAMBDA {
+            out.set(i, acceleration_of(force, L::load(constants.inverse_mass + i), row.pushed.template at<V>(i)));
+        },
         [&](int j, const auto&) DRAPEAU_INLINE_LAMBDA {
             if (j >= pass.first) out = pass.out.row(j + 1);
         });
@@ -205,21 +202,20 @@ void stiffness_rows(const Pass<typename Lanes<V>::Real>& pass) {
     V elastic{}, damping{}, external{}, before{}, after{};
     for_rows<V, SpringHessianParts<V, damped>, diagonals, 2, 0, 1>(
         pass,
-        [&](const Field<Real>* row, const RowConstants<Real>& constants, int i, const Parts<V>& pull)
-            DRAPEAU_INLINE_LAMBDA {
-                const V w = L::load(constants.inverse_mass + i), m = L::load(constants.mass + i),
-                        rate = L::load(constants.rate + i);
-                const auto u = row[1].template at<V>(i);
-                const auto resisting = V{} - (w * k_weight), braking = V{} - (w * c_weight);
-                const auto result = acceleration_of(resisting * pull.elastic + braking * pull.damping,
-                                                    L::where_positive(w, L::broadcast(1)), (rate_weight * rate) * u);
-                out.set(i, result);
-                elastic = elastic - dot(u, pull.elastic);
-                if constexpr (damped) damping = damping - dot(u, pull.damping);
-                external = external + (m * rate) * dot(u, u);
-                before = before + m * dot(u, u);
-                after = after + m * dot(result, result);
-            },
+        [&](const auto& row, const RowConstants<Real>& constants, int i, const Parts<V>& pull) DRAPEAU_INLINE_LAMBDA {
+            const V w = L::load(constants.inverse_mass + i), m = L::load(constants.mass + i),
+                    rate = L::load(constants.rate + i);
+            const auto u = row.field[1].template at<V>(i);
+            const auto resisting = V{} - (w * k_weight), braking = V{} - (w * c_weight);
+            const auto result = acceleration_of(resisting * pull.elastic + braking * pull.damping,
+                                                L::where_positive(w, L::broadcast(1)), (rate_weight * rate) * u);
+            out.set(i, result);
+            elastic = elastic - dot(u, pull.elastic);
+            if constexpr (damped) damping = damping - dot(u, pull.damping);
+            external = external + (m * rate) * dot(u, u);
+            before = before + m * dot(u, u);
+            after = after + m * dot(result, result);
+        },
         [&](int j, const auto&) DRAPEAU_INLINE_LAMBDA {
             if (j >= pass.first) {
                 RowSums& sums = pass.sums[j];
@@ -229,6 +225,78 @@ void stiffness_rows(const Pass<typename Lanes<V>::Real>& pass) {
                 out = pass.out.row(j + 1);
             }
             elastic = damping = external = before = after = V{};
+        });
+}
+
+/// Calls visit(i, constants, flow, pushed) with how the air passes each register of the rows of a pass, of the state in
+/// fields 0 and 1. Neighbours stay as they are: nothing may move meanwhile.
+template <class V, class Visit, class RowEnd>
+DRAPEAU_INLINE void for_rows_in_air(const Pass<typename Lanes<V>::Real>& pass, Visit&& visit, RowEnd&& row_end) {
+    using L = Lanes<V>;
+    using Real = typename L::Real;
+    for (int j = pass.first; j < pass.last; ++j) {
+        if (pass.accelerate) pass.accelerate(pass.terms, j, pass.time);
+        const PassRow<Real, 2> row(pass, j);
+        const Field<Real> here = row.field[0];
+        const Field<Real> above = j > 0 ? PassRow<Real, 1>(pass, j - 1).field[0] : here;
+        const Field<Real> below = j + 1 < pass.rows ? PassRow<Real, 1>(pass, j + 1).field[0] : here;
+        const Field<const Real> wind = pass.wind.row(j);
+        const RowConstants<Real>& constants = pass.constants[j];
+        const auto fading = static_cast<Real>(smallest_face) * constants.fly.length * constants.hoist.length;
+        // Left of the first column stands the first once more; right of the last the difference is nothing, as is the
+        // stiffness there.
+        const Vec3<V> first{L::broadcast(here.x[0]), L::broadcast(here.y[0]), L::broadcast(here.z[0])};
+        for (int i = 0; i < pass.width; i += L::width) {
+            const auto x = here.template at<V>(i), beyond = here.template at<V>(i + 1) - x;
+            const V k = L::load(constants.fly.k + i);
+            const Vec3<V> right{L::where_positive(k, beyond.x), L::where_positive(k, beyond.y),
+                                L::where_positive(k, beyond.z)};
+            const auto left = x - (i > 0 ? here.template at<V>(i - 1) : shifted(first, x));
+            const auto u = wind.template at<V>(i) - row.field[1].template at<V>(i);
+            visit(i, constants,
+                  air_flow(left + right, above.template at<V>(i) - below.template at<V>(i), u, fading * fading),
+                  row.pushed);
+        }
+        row_end(j);
+    }
+}
+
+/// What terms push each mass with and the air on its faces besides, into pass.out.
+template <class V, bool pressure, bool skin>
+void air_rows(const Pass<typename Lanes<V>::Real>& pass) {
+    using L = Lanes<V>;
+    using Real = typename L::Real;
+    const AirStrength<Real> air = pass.air;
+    Field<Real> out = pass.out.row(pass.first);
+    for_rows_in_air<V>(
+        pass,
+        [&](int i, const RowConstants<Real>& constants, const AirFlow<V>& flow, const Field<const Real>& pushed)
+            DRAPEAU_INLINE_LAMBDA {
+                const V area = L::load(constants.area + i);
+                auto a = pushed.template at<V>(i);
+                if constexpr (pressure) a = a + ((air.pressure * area) * (flow.speed * flow.across)) * flow.face;
+                if constexpr (skin) a = a + ((air.skin * area) * flow.speed_along) * flow.along;
+                out.set(i, a);
+            },
+        [&](int j) DRAPEAU_INLINE_LAMBDA { out = pass.out.row(j + 1); });
+}
+
+/// The greatest rate at which the air brakes a mass of each row (Air::most_rate), at the speeds that there are.
+template <class V>
+void air_rate_rows(const Pass<typename Lanes<V>::Real>& pass) {
+    using L = Lanes<V>;
+    using Real = typename L::Real;
+    V most{};
+    for_rows_in_air<V>(
+        pass,
+        [&](int i, const RowConstants<Real>& constants, const AirFlow<V>& flow,
+            const Field<const Real>&) DRAPEAU_INLINE_LAMBDA {
+            most = L::greater(most, (Real(2) * L::load(constants.area + i)) *
+                                        L::greater(pass.air.pressure * flow.speed, pass.air.skin * flow.speed_along));
+        },
+        [&](int j) DRAPEAU_INLINE_LAMBDA {
+            pass.sums[j].max_air_rate = max_of(most);
+            most = V{};
         });
 }
 
@@ -254,6 +322,11 @@ constexpr Kernels<typename Lanes<V>::Real> kernels_of() {
         }
         (std::make_integer_sequence<int, Method::passes>());
     }
+    k.looked_velocity = Method::Looks::template seen_velocity<damped>;
+    k.air[1][0] = &air_rows<V, true, false>;
+    k.air[0][1] = &air_rows<V, false, true>;
+    k.air[1][1] = &air_rows<V, true, true>;
+    k.air_rate = &air_rate_rows<V>;
     k.stiffness = &stiffness_rows<V, damped, diagonals>;
     k.measure = &measure_rows<V, typename Method::Looks, damped, diagonals>;
     k.evaluate = &evaluate_rows<V, typename Method::Looks, damped, diagonals>;

@@ -31,6 +31,7 @@ template <class Real>
 struct Body {
     Body(const Model& of, const Kernels<Real>& by)
         : model(of), kernels(by), rows(of), sums(static_cast<std::size_t>(of.grid.rows)) {
+        if (model.terms.template get<Air>()) pushed = FieldBuffer<Real>(model.grid.columns, model.grid.rows);
         for (int f = 0; f < kernels.fields; ++f) fields.emplace_back(model.grid.columns, model.grid.rows, f);
     }
     Body(const Body&) = delete;
@@ -39,7 +40,8 @@ struct Body {
     Kernels<Real> kernels;
     ModelRows<Real> rows;
     std::vector<FieldBuffer<Real>> fields;  // position, velocity and what the method keeps
-    Array<RowSums> sums;  // not std's: its functions would be shared between instruction sets (isa.hpp)
+    FieldBuffer<Real> pushed;  // what terms push each mass with; empty but with a term that sees where masses are
+    Array<RowSums> sums;       // not std's: its functions would be shared between instruction sets (isa.hpp)
 };
 
 template <class Real>
@@ -53,7 +55,10 @@ public:
           first_(static_cast<int>(1LL * body.model.grid.rows * number / count)),
           last_(static_cast<int>(1LL * body.model.grid.rows * (number + 1) / count)),
           waiting_(body.rows.width()),
-          acceleration_(body.model.grid.columns, 1) {
+          acceleration_(body.model.grid.columns, 1),
+          wind_(body.model.grid.columns, 1),
+          ones_(static_cast<std::size_t>(body.rows.width())) {
+        std::fill(ones_.begin(), ones_.end(), Real(1));
         for (int parity = 0; parity < 2; ++parity)
             for (int f = 0; f < body.kernels.fields; ++f) {
                 if (number > 0) above_[parity].emplace_back(body.model.grid.columns, halo_rows, f);
@@ -84,8 +89,8 @@ public:
             const auto* kernels = step == accounted ? k.advance_accounted : k.advance;
             for (int n = 0; n < k.passes; ++n) {
                 p.time = clock.at(step) + k.stage_time[n] * clock.dt;
-                if (!p.accelerate) accelerate(first_, p.time);
                 use_halos(p, parity);
+                push(p, k.seen_position, k.seen_velocity);
                 kernels[n](p);
                 parity = 1 - parity;
                 if (n + 1 == k.passes) after_the_move(step);
@@ -100,16 +105,23 @@ public:
         Pass<Real> p = pass(dt);
         look_beyond(p);
         p.time = now;
+        push(p, 0, body_.kernels.looked_velocity);
         p.out = out;
-        if (!p.accelerate) accelerate(first_, now);
         kernel(p);
+    }
+
+    /// How fast the air brakes masses at time `now` (s), into the rows' sums.
+    void look_at_air(double now) {
+        Pass<Real> p = pass(0.0);
+        look_beyond(p);
+        p.time = now;
+        in_air(p, 0, 1, body_.kernels.air_rate);
     }
 
     /// The Hessian (stiffness_rows in advance.hpp) times a direction, into `out`.
     void stiffness(double k_weight, double c_weight, double rate_weight, const Field<Real>& direction,
                    const Field<Real>& out) {
         Pass<Real> p = pass(0.0);
-        p.accelerate = nullptr;
         p.fields[1] = direction;
         look_beyond(p);
         p.k_weight = k_weight, p.c_weight = c_weight, p.rate_weight = rate_weight;
@@ -145,7 +157,7 @@ private:
         for (long long step = from; step < to; ++step) {
             p.time = clock.at(step) + body_.kernels.stage_time[0] * clock.dt;
             p.accounted = step == accounted;
-            if (!p.accelerate) accelerate(first_, p.time);
+            push(p, 0, 1);
             body_.kernels.step(p);
             after_the_move(step);
             meet();
@@ -167,14 +179,47 @@ private:
         p.first = first_, p.last = last_, p.rows = body_.model.grid.rows;
         p.width = body_.rows.width();
         p.constants = body_.rows.constants();
-        p.acceleration = std::as_const(acceleration_).view();
-        if (body_.model.varies_by_row()) p.accelerate = &accelerate_row;
+        p.acceleration = one_for_all(acceleration_), p.wind = one_for_all(wind_);
         p.terms = this;
         p.dt = static_cast<Real>(dt);
         p.half_kick = body_.kernels.starts_with_forces ? static_cast<Real>(0.5 * dt) : Real(0);
         p.waiting = waiting_.view();
         p.sums = body_.sums.data();
         return p;
+    }
+
+    /// What terms push masses with in a pass, from its state in these fields. Nothing may have moved yet.
+    void push(Pass<Real>& p, int position_field, int velocity_field) {
+        const Air* const air = body_.model.air();
+        if (air) {
+            in_air(p, position_field, velocity_field,
+                   body_.kernels.air[air->pressure.has_value()][air->skin.has_value()]);
+            p.acceleration = std::as_const(body_.pushed).view();
+        } else if (body_.model.varies_by_row()) {
+            p.accelerate = &accelerate_row;
+        } else {
+            accelerate(first_, p.time);
+        }
+    }
+    /// Calls a kernel of the air, which finds the state in fields 0 and 1.
+    void in_air(Pass<Real> p, int position_field, int velocity_field, void (*kernel)(const Pass<Real>&)) {
+        for (auto* fields : {p.fields, p.above, p.below}) {
+            const Field<Real> x = fields[position_field], v = fields[velocity_field];
+            fields[0] = x, fields[1] = v;
+        }
+        p.air = body_.model.air()->template strength<Real>();
+        p.out = body_.pushed.view();
+        p.acceleration = one_for_all(acceleration_);
+        if (body_.model.varies_by_row())
+            p.accelerate = &accelerate_row;
+        else
+            accelerate(first_, p.time);
+        kernel(p);
+    }
+    static Field<const Real> one_for_all(const FieldBuffer<Real>& row) {
+        auto view = row.view();
+        view.stride = 0;
+        return view;
     }
 
     void accelerate(int row, double time) {
@@ -184,6 +229,13 @@ private:
         body_.model.terms.for_each([&](const auto& term) {
             if constexpr (requires { term.accelerate(pushed, time, a); }) term.accelerate(pushed, time, a);
         });
+        if (body_.model.air()) find_wind(row, time);
+    }
+    void find_wind(int row, double time) {
+        auto w = wind_.view();
+        for (Real* component : {w.x, w.y, w.z}) std::fill_n(component, body_.rows.width(), Real(0));
+        const PushedRow<Real> carried{body_.model.grid, row, body_.rows.width(), ones_.data()};
+        if (const auto& wind = body_.model.terms.template get<Wind>()) wind->accelerate(carried, time, w);
     }
     static void accelerate_row(void* block, int row, double time) { static_cast<Block*>(block)->accelerate(row, time); }
 
@@ -209,7 +261,8 @@ private:
     Block *previous_ = nullptr, *next_ = nullptr;
     int first_, last_;  // rows
     WaitingBuffer<Real> waiting_;
-    FieldBuffer<Real> acceleration_;
+    FieldBuffer<Real> acceleration_, wind_;  // one row
+    Array<Real> ones_;
     std::vector<FieldBuffer<Real>> above_[2], below_[2];  // of even and odd passes; empty at the cloth's border
 };
 

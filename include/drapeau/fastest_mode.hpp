@@ -43,8 +43,10 @@ template <class Real>
 class FastestMode {
 public:
     /// `looks` products of the operator with the mode, for a method with these weights, near a step of dt (s). Returns
-    /// the oscillator that the mode is, of mass 1.
-    Oscillator look(Stepper<Real>& stepper, double damping_weight, double on_mass_weight, double dt, int looks) {
+    /// the oscillator that the mode is at time `now` (s), of mass 1, braked by the air as the mass is that it brakes
+    /// most.
+    Oscillator look(Stepper<Real>& stepper, double damping_weight, double on_mass_weight, double dt, int looks,
+                    double now) {
         const Grid& grid = stepper.model().grid;
         if (u_.columns() != grid.columns || u_.rows() != grid.rows) begin(grid);
         for (int n = 0; n < looks; ++n) {
@@ -52,7 +54,7 @@ public:
             const auto sums = stepper.stiffness(1.0, c_weight, rate_weight, u_, next_);
             if (!(sums.before > 0.0) || !(sums.after > 0.0)) {
                 begin(grid);
-                return mode_ = {1.0, 0.0, 0.0, 0.0};
+                return mode_ = {1.0, 0.0, 0.0, 0.0, stepper.air_rate(now)};
             }
             const double elastic = sums.elastic / sums.before, damping = sums.damping / sums.before;
             const double on_mass = sums.on_mass / sums.before, grown = std::sqrt(sums.after / sums.before);
@@ -69,6 +71,7 @@ public:
                 for (std::size_t i = 0; i < u_.component(c).size(); ++i)
                     u_.component(c)[i] = scale * next_.component(c)[i] + own * u_.component(c)[i];
         }
+        mode_.air = stepper.air_rate(now);
         return mode_;
     }
 

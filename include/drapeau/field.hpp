@@ -47,6 +47,16 @@ struct RowConstants {
     const Real* inverse_mass;              // 1/kg; 0 where a mass is held and in the padding
     const Real* mass;                      // kg; 0 likewise
     const Real* rate;                      // 1/s, all drag and friction over the mass; 0 likewise
+    const Real* area;                      // m2/kg, the share of the cloth's area over the mass; 0 likewise
+};
+
+/// Half the air's density times a coefficient, of the pressure on faces and of the friction along them; 0: neither is
+/// computed (terms/air.hpp).
+template <class Real>
+struct AirStrength {
+    Real pressure, skin;  // kg/m3
+
+    DRAPEAU_INLINE bool is_felt() const { return pressure > Real(0) || skin > Real(0); }
 };
 
 /// Position, velocity and what a method keeps, by the method's own numbering; positions are 0, velocities 1.
@@ -73,6 +83,7 @@ struct RowSums {
     double stretch;         // sum of |l - L| / L
     double max_stretch;     // greatest (l - L) / L
     double max_force;       // N, greatest |k (l - L)|
+    double max_air_rate;    // 1/s, see air_rate_rows
     double force_squares;   // N2, sum of squares
     double moment[3];       // kg m, sum of m x
     double products[2][3];  // sums of methods that solve, in two banks (see there)
@@ -100,11 +111,14 @@ struct Pass {
     Field<Real> above[max_fields], below[max_fields];
     int halo;
     int first, last, rows;
-    int width;                                              // elements a loop over a row covers
-    const RowConstants<Real>* constants;                    // of each row
-    Field<const Real> acceleration;                         // m/s2, of terms that push masses; one row for all, unless:
-    void (*accelerate)(void* terms, int row, double time);  // null, or fills `acceleration` for a row
+    int width;                            // elements a loop over a row covers
+    const RowConstants<Real>* constants;  // of each row
+    // m/s2, what terms push masses with: of every row of the cloth, or one row for all (its stride is then 0), which
+    // `accelerate`, where it is not null, fills for each row. Likewise the wind (m/s), read by the air's kernels alone.
+    Field<const Real> acceleration, wind;
+    void (*accelerate)(void* terms, int row, double time);
     void* terms;
+    AirStrength<Real> air;
     double time;     // s, of this pass
     Real dt;         // s
     Real half_kick;  // s, from the velocity stored to that of the position's time
@@ -128,6 +142,7 @@ struct Kernels {
     int passes;                        // force evaluations a step
     int fields;                        // position, velocity and what the method keeps
     int seen_position, seen_velocity;  // the fields that forces are evaluated at
+    int looked_velocity;               // the same of measure and evaluate, whose position is 0
     bool staggered;                    // the velocity stored is half a step behind the position
     bool starts_with_forces;           // start and synchronised need the acceleration
     double stage_time[4];              // of each pass, in steps from the step's beginning
@@ -137,6 +152,10 @@ struct Kernels {
     void (*measure)(const Pass<Real>&);               // energy and stretch; moves nothing
     void (*evaluate)(const Pass<Real>&);              // accelerations but for drag and friction, into `out`
     void (*stiffness)(const Pass<Real>&);             // the Hessian times a direction, see advance.hpp
+    // Of the air, from fields 0 and 1 of a pass (advance.hpp): by whether there is pressure and whether there is skin
+    // friction, what it pushes with added to `acceleration`, into `out`; how fast it brakes, into the rows' sums.
+    void (*air[2][2])(const Pass<Real>&);
+    void (*air_rate)(const Pass<Real>&);
     // One mass: n is its element, a its acceleration but for drag and friction.
     void (*start)(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& a, Real rate, Real dt);
     Vec3<Real> (*synchronised)(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& a, Real rate, Real dt);

@@ -40,7 +40,8 @@ class Flag {
     };
 
 public:
-    static constexpr bool damped = has<SpringDamping>, diagonals = has<DiagonalSprings>;
+    static constexpr bool damped = has<SpringDamping> || (has<Air> && predicts_velocity<Method>),
+                          diagonals = has<DiagonalSprings>;
     static constexpr bool rated = (brakes<Listed> || ...);
 
     /// Flat, at rest, its top corner at the hoist at the origin. The automatic step until another is set; a method that
@@ -128,7 +129,7 @@ private:
             model.limits.add(listed);
     }
     static Model model_of(const Grid& grid, Attach attach, const Cloth& cloth, const Listed&... listed) {
-        static_assert(!has<Wind> || has<AirDrag>, "wind is felt through drag: list AirDrag too");
+        static_assert(!has<Wind> || has<AirDrag> || has<Air>, "nothing would feel the wind: list AirDrag or Air too");
         Model model(grid, {.diagonal_stiffness = {}, .damping = {}}, attach);
         take(model, cloth);
         (take(model, listed), ...);

@@ -96,6 +96,7 @@ struct Oscillator {
     double stiffness;  // N/m
     double damping;    // N s/m, of springs
     double on_mass;    // N s/m, drag and friction
+    double air = 0.0;  // N s/m, of the air on faces at most: it may be still, and brakes by velocities as springs do
 };
 
 /// The positive root of stiffness dt^2 + damping dt = 4 mass, without cancellation.
@@ -110,6 +111,11 @@ inline double larger_root(double sum, double product) {
     const double d = 0.25 * sum * sum - product;
     return d < 0.0 ? std::sqrt(product) : std::fabs(0.5 * sum) + std::sqrt(d);
 }
+
+/// Whether a method stores a velocity for forces to see only in its composition with damped springs: then that is the
+/// one for every force that depends on velocities.
+template <class M>
+inline constexpr bool predicts_velocity = M::template seen_velocity<true> != M::template seen_velocity<false>;
 
 /// What most methods do for one mass: nothing to start, a velocity that is synchronised as it is stored.
 struct OneKick {

@@ -59,9 +59,9 @@ enum class Borders { alike, light };
 
 class Model {
 public:
-    /// One row's shares of mass, of the springs to the right and of those downwards. Rows alike share one.
+    /// One row's shares of mass, of area, of the springs to the right and of those downwards. Rows alike share one.
     struct Kind {
-        std::vector<double> mass, fly, hoist;
+        std::vector<double> mass, area, fly, hoist;
         std::vector<char> held;
     };
 
@@ -138,6 +138,8 @@ public:
         terms.for_each([&](const auto& term) {
             if constexpr (requires { term.most_power(drag); })
                 sum += term.most_power(drag);
+            else if constexpr (requires { term.most_power(cell(), fastest_wind()); })
+                sum += air() ? term.most_power(cell(), fastest_wind()) : 0.0;
             else if constexpr (
                 !requires { term.damping(1.0); } && !requires { term.potential(glm::dvec3(0.0)); })
                 sum = INFINITY;
@@ -150,6 +152,35 @@ public:
         return any;
     }
 
+    /// The share (m2) of the cloth that mass (i, j) stands for: half a cell on a border, a quarter in a corner.
+    double area(int i, int j) const { return at(j).area[i] * cell(); }
+    double cell() const { return grid.pitch_x * grid.pitch_y; }  // m2
+
+    /// The air on faces, if it is listed and does anything.
+    const Air* air() const {
+        const auto& listed = terms.get<Air>();
+        const bool has_faces = grid.columns > 1 && grid.rows > 1;
+        return listed && listed->is_felt() && has_faces ? &*listed : nullptr;
+    }
+    /// Whether method M is to be composed as with damped springs: some force sees velocities as those see them.
+    template <class M>
+    bool is_damped_for() const {
+        return is_damped() || (predicts_velocity<M> && terms.get<Air>().has_value());
+    }
+    double fastest_wind() const { return terms.get<Wind>() ? terms.get<Wind>()->fastest() : 0.0; }  // m/s
+
+    /// An estimate (m/s) of the greatest speed at which the air passes the cloth: the fastest wind there can be and
+    /// that of a fall over the flag's own size. Springs that recoil may be faster for moments.
+    double fastest_air() const {
+        const double pull = std::hypot(potential({1, 0, 0}), potential({0, 1, 0}), potential({0, 0, 1}));
+        const double size = std::hypot((grid.columns - 1) * grid.pitch_x, (grid.rows - 1) * grid.pitch_y);
+        return fastest_wind() + std::sqrt(2.0 * pull * size);
+    }
+    /// How fast the air on faces then brakes a mass (N s/m): of those inside, for which there is most air for the mass.
+    double damping_of_air() const {
+        return air() ? springs.mass * air()->most_rate(cell() / springs.mass, fastest_air()) : 0.0;
+    }
+
     /// Springs between neighbours of a row, of a column, and across cells.
     long long springs_in_all() const {
         const long long c = grid.columns, r = grid.rows;
@@ -158,13 +189,14 @@ public:
 
     /// The fastest modes that any configuration of these springs can have. No spring's Hessian exceeds k I, folded or
     /// stretched, so the springs resist at most like the graph's Laplacian, whose largest eigenvalue on a grid is
-    /// max(8k, 4k + 8kd), on a chain 4k; dampers likewise. Light borders and held masses do not raise it.
+    /// max(8k, 4k + 8kd), on a chain 4k; dampers likewise. Light borders and held masses do not raise it. What the air
+    /// on faces does is an estimate.
     std::vector<Oscillator> bounds() const {
         const double k = springs.stiffness, c = springs.damping.value_or(0.0), m = springs.mass;
-        const double on_mass = damping_on_mass(1.0);
+        const double on_mass = damping_on_mass(1.0), air = damping_of_air();
         if (grid.columns == 1 || grid.rows == 1) return {{m, 4.0 * k, 4.0 * c, on_mass}};
         const double kd = springs.diagonal_stiffness.value_or(0.0), cd = has_diagonals() ? c : 0.0;
-        return {{m, 8.0 * k, 8.0 * c, on_mass}, {m, 4.0 * k + 8.0 * kd, 4.0 * c + 8.0 * cd, on_mass}};
+        return {{m, 8.0 * k, 8.0 * c, on_mass, air}, {m, 4.0 * k + 8.0 * kd, 4.0 * c + 8.0 * cd, on_mass, air}};
     }
 
 private:
@@ -172,15 +204,17 @@ private:
 
     Kind kind_of(int j, Attach attach, Borders borders) const {
         const auto columns = static_cast<std::size_t>(grid.columns);
-        Kind kind{std::vector(columns, 1.0), std::vector(columns, 1.0), std::vector(columns, 1.0),
-                  std::vector<char>(columns, 0)};
-        const bool light = borders == Borders::light;
-        const bool border_row = light && grid.rows > 1 && (j == 0 || j == grid.rows - 1);
+        const std::vector whole(columns, 1.0);
+        Kind kind{whole, whole, whole, whole, std::vector<char>(columns, 0)};
+        const double lighter = borders == Borders::light ? 0.5 : 1.0;
+        const bool border_row = grid.rows > 1 && (j == 0 || j == grid.rows - 1);
+        const bool is_chain = grid.columns == 1 || grid.rows == 1;  // it has no faces
         for (int i = 0; i < grid.columns; ++i) {
-            const bool border_column = light && grid.columns > 1 && (i == 0 || i == grid.columns - 1);
-            kind.mass[i] = (border_row ? 0.5 : 1.0) * (border_column ? 0.5 : 1.0);
-            kind.fly[i] = border_row ? 0.5 : 1.0;
-            kind.hoist[i] = border_column ? 0.5 : 1.0;
+            const bool border_column = grid.columns > 1 && (i == 0 || i == grid.columns - 1);
+            kind.fly[i] = border_row ? lighter : 1.0;
+            kind.hoist[i] = border_column ? lighter : 1.0;
+            kind.mass[i] = kind.fly[i] * kind.hoist[i];
+            kind.area[i] = is_chain ? 0.0 : (border_row ? 0.5 : 1.0) * (border_column ? 0.5 : 1.0);
             kind.held[i] = is_attached(attach, grid, i, j);
         }
         return kind;
@@ -206,7 +240,10 @@ public:
 
     int width() const { return width_; }
     const RowConstants<Real>* constants() const { return constants_.data(); }
-    const Real* drag_rate(const Model& model, int j) const { return array(model.kind(j), drag_rate_); }  // 1/s
+    /// Of each column, 1/s; null without air drag.
+    const Real* drag_rate(const Model& model, int j) const {
+        return model.damping_on_mass(1.0, true) > 0.0 ? array(model.kind(j), drag_rate_) : nullptr;
+    }
 
     /// Takes over the model's strengths. Nothing is allocated.
     void refill(const Model& model) {
@@ -227,13 +264,14 @@ public:
                 };
                 set(inverse_mass_, 1.0 / m), set(mass_, m);
                 set(rate_, model.damping_on_mass(kind.mass[i]) / m);
+                set(area_, kind.area[i] * model.cell() / m);
                 array(n, drag_rate_)[i] = static_cast<Real>(model.damping_on_mass(kind.mass[i], true) / m);
             }
         }
     }
 
 private:
-    enum { fly_ = 0, hoist_ = 3, diagonal_ = 6, inverse_mass_ = 9, mass_, rate_, drag_rate_, arrays_a_kind };
+    enum { fly_ = 0, hoist_ = 3, diagonal_ = 6, inverse_mass_ = 9, mass_, rate_, area_, drag_rate_, arrays_a_kind };
 
     std::ptrdiff_t place(int kind, int which) const {
         return (static_cast<std::ptrdiff_t>(kind) * arrays_a_kind + which) * width_;
@@ -258,7 +296,8 @@ private:
                 springs(diagonal_, grid.pitch_diagonal()),
                 array(kind, inverse_mass_),
                 array(kind, mass_),
-                array(kind, rate_)};
+                array(kind, rate_),
+                array(kind, area_)};
     }
 
     int width_;

@@ -10,6 +10,13 @@
 namespace drapeau {
 inline namespace DRAPEAU_ISA {
 
+/// What the air on faces pushes a mass with (m/s2) whose rest place is in column i, in the plane of a flat flag.
+inline glm::dvec3 air_at_rest(const Model& model, double time, int i) {
+    const auto& wind = model.terms.get<Wind>();
+    if (!model.air() || !wind) return glm::dvec3(0.0);
+    return model.air()->push_at_rest(model.cell() / model.springs.mass, wind->at(time, model.grid.rest(i, 0)));
+}
+
 /// Calls visit(a) with the acceleration (m/s2) that the terms push each mass of the first row with, at forty moments of
 /// ten seconds. Returns how often.
 template <class Visit>
@@ -27,7 +34,7 @@ long long for_each_push(const Model& model, Visit&& visit) {
         model.terms.for_each([&](const auto& term) {
             if constexpr (requires { term.accelerate(pushed, 0.0, a); }) term.accelerate(pushed, look * interval, a);
         });
-        for (int i = 0; i < model.grid.columns; ++i) visit(row.at(i, 0));
+        for (int i = 0; i < model.grid.columns; ++i) visit(row.at(i, 0) + air_at_rest(model, look * interval, i));
     }
     return 1LL * looks * model.grid.columns;
 }

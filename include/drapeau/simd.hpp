@@ -168,6 +168,10 @@ DRAPEAU_INLINE Vec3<V> shifted(const Vec3<V>& left, const Vec3<V>& here) {
     return {L::shifted(left.x, here.x), L::shifted(left.y, here.y), L::shifted(left.z, here.z)};
 }
 template <class V>
+DRAPEAU_INLINE Vec3<V> cross(const Vec3<V>& a, const Vec3<V>& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class V>
 DRAPEAU_INLINE V dot(const Vec3<V>& a, const Vec3<V>& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }

@@ -142,6 +142,15 @@ public:
         return sum;
     }
 
+    /// The greatest rate (1/s) at which the air on faces brakes a mass at time `now` (s).
+    double air_rate(double now) {
+        if (!model().air()) return 0.0;
+        run([&](int n) { blocks_[n]->look_at_air(now); });
+        double most = 0.0;
+        for (const auto& row : body_.sums) most = std::max(most, row.max_air_rate);
+        return most;
+    }
+
     /// Everything that the steps to come depend on.
     struct Checkpoint {
         std::vector<FieldBuffer<Real>> fields;

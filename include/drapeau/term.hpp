@@ -18,6 +18,9 @@
 //   s/m);
 //                               a term that pushes, stores nothing and does not say may bring in any
 //   is_air                      the damping is against the air, so wind is felt through it
+//
+// A term that sees where masses are and how they move (terms/air.hpp) has a kernel of its own, which passes over the
+// rows before the sweep does (advance.hpp, block.hpp); its methods are asked for by name.
 #pragma once
 
 #include "drapeau/state.hpp"
@@ -36,7 +39,7 @@ struct PushedRow {
     const Grid& grid;
     int row;
     int width;              // elements to fill
-    const Real* drag_rate;  // 1/s, of each column: air drag over the mass
+    const Real* drag_rate;  // 1/s, of each column: air drag over the mass; null where there is none
 };
 
 /// Settings of which each may be listed or not.

@@ -39,7 +39,7 @@ double late_slope(const std::vector<double>& x, const std::vector<double>& y) {
 /// The fastest mode of the cloth at rest, as a method with these weights sees it near a step of dt (s).
 Oscillator fastest_of(Engine& engine, double damping_weight, double on_mass_weight, double dt) {
     constexpr int looks = 400;
-    return engine.fastest_mode(damping_weight, on_mass_weight, dt, looks);
+    return engine.fastest_mode(damping_weight, on_mass_weight, dt, looks, 0.0);
 }
 
 /// Forward Euler's limit for one mode: a < b and 4 - 2b + a > 0.

@@ -70,8 +70,8 @@ public:
         return hash;
     }
 
-    Oscillator fastest_mode(double damping_weight, double on_mass_weight, double dt, int looks) override {
-        return fastest_.look(stepper_, damping_weight, on_mass_weight, dt, looks);
+    Oscillator fastest_mode(double damping_weight, double on_mass_weight, double dt, int looks, double now) override {
+        return fastest_.look(stepper_, damping_weight, on_mass_weight, dt, looks, now);
     }
 
     void save(int place) override {
@@ -82,7 +82,8 @@ public:
 
 private:
     static Kernels<Real> kernels_for(const Model& model, Method method, bool half_kick_start) {
-        Kernels<Real> kernels = find_kernels<Real>(method, model.has_diagonals(), model.is_damped());
+        const bool damped = with_method(method, [&]<class M>(const M&) { return model.is_damped_for<M>(); });
+        Kernels<Real> kernels = find_kernels<Real>(method, model.has_diagonals(), damped);
         if (half_kick_start && method == method_id<SemiImplicitEuler>) {
             kernels.starts_with_forces = HalfKickStart::starts_with_forces;
             kernels.start = &HalfKickStart::start<false, Real>;

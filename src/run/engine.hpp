@@ -39,8 +39,8 @@ public:
     virtual double kinetic() = 0;           // J, of the velocities stored
     virtual double epsilon() const = 0;     // of the precision
     virtual glm::dvec3 corner() const = 0;  // m, where mass (0, 0) is
-    /// The fastest mode of the springs as they are, after so many more looks at it (fastest_mode.hpp).
-    virtual Oscillator fastest_mode(double damping_weight, double on_mass_weight, double dt, int looks) = 0;
+    /// The fastest mode of the springs and the air as they are, after so many more looks at it (fastest_mode.hpp).
+    virtual Oscillator fastest_mode(double damping_weight, double on_mass_weight, double dt, int looks, double now) = 0;
     /// How far from the origin (m) masses are at most, as long as no spring is much longer than at rest.
     double reach() const { return reach(corner()); }
     double reach(const glm::dvec3& far) const {

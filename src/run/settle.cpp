@@ -51,6 +51,7 @@ std::vector<Scene> grids_of(const Scene& scene) {
     quiet.wind().reset();
     quiet.springs.damping = 0.0;
     quiet.springs.drag.reset();
+    quiet.terms.get<Air>().reset();
     quiet.springs.friction.reset();
     quiet.time.method = method_id<SemiImplicitEuler>;
     std::vector<Scene> grids{quiet};

@@ -222,7 +222,8 @@ private:
                 const StableStep bound = stable();
                 if (!bound.is_finite()) return mode.reset();
                 mode = engine->fastest_mode(M::damping_weight, M::on_mass_weight,
-                                            std::clamp(now.clock.dt, bound.seconds(), 2.0 * bound.seconds()), looks);
+                                            std::clamp(now.clock.dt, bound.seconds(), 2.0 * bound.seconds()), looks,
+                                            now.time());
             } else {
                 mode.reset();
             }

@@ -55,6 +55,7 @@ std::string limit_of_step(Method method, const Model& model) {
             alone({o.mass, o.stiffness, 0.0, 0.0}, "stiffness of the springs");
             alone({o.mass, 0.0, o.damping, 0.0}, "damping of the springs");
             alone({o.mass, 0.0, 0.0, o.on_mass}, "drag and friction");
+            alone({o.mass, 0.0, 0.0, 0.0, o.air}, "air on faces");
         }
         return least.second;
     });

@@ -60,14 +60,14 @@ std::string SceneFault::text() const {
 }
 
 double memory_of(double masses, Precision precision) {
-    // What a method keeps at most, the states that a diverged run may return to and is explained from, the pictures'
-    // snapshots and a state handed out; and to measure the error (error_estimate.hpp) as much as a method keeps, in
-    // double, a state to begin from, three ends and a state handed out.
-    constexpr double numbers_kept = 3.0 * max_fields + 4 * 6;
+    // What a method keeps at most and what terms push with, the states that a diverged run may return to and is
+    // explained from, the pictures' snapshots and a state handed out; and to measure the error (error_estimate.hpp) as
+    // much as a method keeps, in double, a state to begin from, three ends and a state handed out.
+    constexpr double numbers_kept = 3.0 * (max_fields + 1) + 4 * 6;
     constexpr double snapshots = 3 * 3 * sizeof(float);
     constexpr double handed_out = 6 * sizeof(double);
     const double number = precision == Precision::double_precision ? sizeof(double) : sizeof(float);
-    constexpr double error = (max_fields + 7) * 3 * sizeof(double);
+    constexpr double error = (max_fields + 8) * 3 * sizeof(double);
     return masses * (numbers_kept * number + snapshots + handed_out + error);
 }
 
@@ -96,8 +96,10 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
         return SceneFault{"time", "tolerance", settings::value_text(*scene.time.tolerance),
                           "goes with time.dt = \"auto\" only, and the step is given"};
     }
-    if (scene.wind() && !scene.springs.drag) {
-        return SceneFault{"wind", "", "", "nothing would feel it; give springs.drag too, or leave the wind out"};
+    const auto& air = scene.terms.get<Air>();
+    if (scene.wind() && !scene.springs.drag && !(air && (air->pressure || air->skin))) {
+        return SceneFault{"wind", "", "",
+                          "nothing would feel it; give springs.drag or [air] too, or leave the wind out"};
     }
     return std::nullopt;
 }

@@ -16,7 +16,7 @@
 namespace drapeau::settings {
 
 /// What the format reserves but this version does not have yet.
-inline constexpr std::array<std::string_view, 5> later_tables{"fabric", "face_pressure", "bending", "ground", "pole"};
+inline constexpr std::array<std::string_view, 4> later_tables{"fabric", "bending", "ground", "pole"};
 
 inline constexpr std::tuple scene_keys{
     Key{"name", &Scene::name, About{"Name", "", "shown in the window's title"}},
@@ -78,7 +78,7 @@ inline constexpr std::tuple springs_keys{
             "step."},
         damping_range, Control{{1e-5, 1}, true, "%.3g", 1, "", 0.002}},
     Key{"drag", &SpringSettings::drag,
-        About{"Air drag", "N·s/m", "of every mass against the air (d)",
+        About{"Air drag", "N·s/m", "of every mass against the air (d), the same edge-on and broadside",
               "Wind pushes through it. More drag makes the cloth follow the air more closely."},
         damping_range, Control{{1e-6, 0.1}, true, "%.3g", 1, "", 0.0006}},
     Key{"friction", &SpringSettings::friction,
@@ -100,7 +100,26 @@ inline constexpr std::tuple keys_of<Gravity>{
 };
 
 template <>
-inline constexpr std::string_view remark_on<Wind> = "Wind pushes through air drag, so it needs springs.drag.";
+inline constexpr std::string_view remark_on<Air> =
+    "The air pushes faces broadside and drags along them. It takes the place of springs.drag, unless that is given "
+    "too.";
+template <>
+inline constexpr std::tuple keys_of<Air>{
+    Key{"density", &Air::density,
+        About{"Air density", "kg/m³", "of the air (rho)", "Denser air pushes harder and brakes more."}, Range{0, 1e3},
+        Control{{0, 5}, false, "%.2f"}},
+    Key{"pressure", &Air::pressure,
+        About{"Face pressure", "", "drag coefficient of a face that the air meets broadside (C_d)",
+              "A higher one lets the wind push faces harder. Off: no pressure is computed."},
+        Range{0, 100}, Control{{0, 3}, false, "%.2f", 1, "", 1.2}, "off"},
+    Key{"skin", &Air::skin,
+        About{"Skin friction", "", "drag coefficient of the air along a face (C_f)",
+              "A higher one drags the flag taut and calms its ripples. Off: none is computed."},
+        Range{0, 100}, Control{{0, 0.3}, false, "%.3f", 1, "", 0.05}, "off"},
+};
+
+template <>
+inline constexpr std::string_view remark_on<Wind> = "Wind is felt through springs.drag or [air], so it needs either.";
 template <>
 inline constexpr std::tuple keys_of<Wind>{
     Key{"velocity", &Wind::velocity,

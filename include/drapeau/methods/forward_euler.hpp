@@ -25,11 +25,13 @@ struct ForwardEuler : OneKick {
 
     /// Wherever no spring is compressed (a compressed one lets the cloth buckle at any step). A spring that is
     /// stretched also resists sideways, where its damper does nothing: only drag and friction hold that, so dt k <
-    /// on_mass; and dt (c + on_mass) < 2m.
+    /// on_mass; and dt (c + on_mass + air) < 2m. (The air
+    /// may be still, so it holds nothing.)
     static StableStep stable_step(const Oscillator& o) {
-        if (o.stiffness == 0.0 && o.damping + o.on_mass == 0.0) return StableStep::unlimited();
+        const double damping = o.damping + o.on_mass + o.air;
+        if (o.stiffness == 0.0 && damping == 0.0) return StableStep::unlimited();
         const double against_growth = o.stiffness > 0.0 ? o.on_mass / o.stiffness : INFINITY;
-        return StableStep::of_seconds(std::fmin(against_growth, 2.0 * o.mass / (o.damping + o.on_mass)));
+        return StableStep::of_seconds(std::fmin(against_growth, 2.0 * o.mass / damping));
     }
 
     /// The drag + friction (N s/m) that gives the step dt (s).

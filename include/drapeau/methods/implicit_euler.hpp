@@ -33,7 +33,8 @@ struct ImplicitEuler : OneKick {
     template <bool damped>
     static constexpr int fields = 10;
 
-    static StableStep stable_step(const Oscillator&) { return StableStep::unlimited(); }
+    /// Only the air is taken at the step's beginning: beyond, it throws masses past the wind, to and fro.
+    static StableStep stable_step(const Oscillator& o) { return step_where(0.0, 2.0 * o.air, 4.0 * o.mass); }
 
     /// What is left of a swing's amplitude after one period, of a mode of `hertz` that nothing damps, at steps of dt
     /// (s).
@@ -145,19 +146,19 @@ private:
             }
         }
 
-        /// Sweeps the springs of this member's rows. visit(masses, constants, value, sums) gets what the springs come
-        /// to at each register and adds to three sums; what it writes it does not read (a halo's rows go before a
-        /// member's first and are overwritten).
+        /// Sweeps the springs of this member's rows. visit(masses, pushed, constants, value, sums) gets what the
+        /// springs come to at each register, and what terms push its row with, and adds to three sums; what it writes
+        /// it does not read (a halo's rows go before a member's first and are overwritten).
         template <class Operation, int seen_position, int seen_direction, class Visit>
         void sweep(const Operation& fresh, Visit&& visit) {
             PassRow<Real, count> own(pass_, pass_.first);
             V sums[3]{};
             for_rows<V, Operation, diagonals, count, seen_position, seen_direction>(
                 pass_,
-                [&](const Field<Real>*, const RowConstants<Real>& constants, int i,
-                    const typename Operation::Value& value) DRAPEAU_INLINE_LAMBDA {
-                    visit(Masses<V>{own.field, i}, constants, value, sums);
-                },
+                [&](const auto&, const RowConstants<Real>& constants, int i, const typename Operation::Value& value)
+                    DRAPEAU_INLINE_LAMBDA {
+                        visit(Masses<V>{own.field, i}, own.pushed, constants, value, sums);
+                    },
                 [&](int j, const auto&) DRAPEAU_INLINE_LAMBDA {
                     if (j >= pass_.first)
                         for (int n = 0; n < 3; ++n) pass_.sums[j].products[bank_][n] = sum_of(sums[n]);
@@ -191,21 +192,20 @@ private:
 
         /// r at the position and velocity known of the step's end. Returns its size as a velocity (m/s, rms).
         double find_residual() {
-            const auto pushed = pass_.acceleration;
             meet();
             sweep<SpringForce<V, damped>, end_position, end_velocity>(
-                {}, [&](const Masses<V>& mass, const RowConstants<Real>& constants, const Vec3<V>& force, V* sums)
-                        DRAPEAU_INLINE_LAMBDA {
-                            const V w = L::load(constants.inverse_mass + mass.i), m = L::load(constants.mass + mass.i);
-                            const auto v = mass.get(velocity), u = mass.get(end_velocity);
-                            const auto a = resisted(acceleration_of(force, w, pushed.template at<V>(mass.i)),
-                                                    L::load(constants.rate + mass.i), u);
-                            const auto lacking = v - u + dt_ * a;
-                            mass.set(residual, m * lacking);
-                            sums[0] = sums[0] + m * dot(lacking, lacking);
-                            sums[1] = sums[1] + m * dot(u - v, u - v);
-                            sums[2] = sums[2] + m;
-                        });
+                {}, [&](const Masses<V>& mass, const Field<const Real>& pushed, const RowConstants<Real>& constants,
+                        const Vec3<V>& force, V* sums) DRAPEAU_INLINE_LAMBDA {
+                    const V w = L::load(constants.inverse_mass + mass.i), m = L::load(constants.mass + mass.i);
+                    const auto v = mass.get(velocity), u = mass.get(end_velocity);
+                    const auto a = resisted(acceleration_of(force, w, pushed.template at<V>(mass.i)),
+                                            L::load(constants.rate + mass.i), u);
+                    const auto lacking = v - u + dt_ * a;
+                    mass.set(residual, m * lacking);
+                    sums[0] = sums[0] + m * dot(lacking, lacking);
+                    sums[1] = sums[1] + m * dot(u - v, u - v);
+                    sums[2] = sums[2] + m;
+                });
             find_totals();
             mass_ = totals_[2] > 0.0 ? totals_[2] : 1.0;
             change_ = std::sqrt(totals_[1] / mass_);
@@ -244,15 +244,15 @@ private:
         bool correct(bool positive) {
             const Weighted<V, damped> weights{dt_, positive};
             sweep<SpringBlock<V, damped>, end_position, end_velocity>(
-                {{}, weights}, [&](const Masses<V>& mass, const RowConstants<Real>& constants, Symmetric<V> all, V*)
-                                   DRAPEAU_INLINE_LAMBDA {
-                                       const V w = L::load(constants.inverse_mass + mass.i);
-                                       const V own = inertia(constants, mass.i);
-                                       all.diagonal = all.diagonal + Vec3<V>{own, own, own};
-                                       const auto inverse = all.inverse();
-                                       mass.set(block, free(w, inverse.diagonal));
-                                       mass.set(off_block, free(w, inverse.off));
-                                   });
+                {{}, weights}, [&](const Masses<V>& mass, const auto&, const RowConstants<Real>& constants,
+                                   Symmetric<V> all, V*) DRAPEAU_INLINE_LAMBDA {
+                    const V w = L::load(constants.inverse_mass + mass.i);
+                    const V own = inertia(constants, mass.i);
+                    all.diagonal = all.diagonal + Vec3<V>{own, own, own};
+                    const auto inverse = all.inverse();
+                    mass.set(block, free(w, inverse.diagonal));
+                    mass.set(off_block, free(w, inverse.off));
+                });
             double size = sum([&](const Masses<V>& mass, const auto&) {
                 const auto r = mass.get(residual), z = preconditioned(mass, r);
                 mass.set(direction, z);
@@ -263,8 +263,8 @@ private:
             for (int n = 0; n < most_iterations && size > enough; ++n) {
                 ++iterations_;
                 sweep<SpringHessian<V, damped>, end_position, direction>(
-                    {{}, weights}, [&](const Masses<V>& mass, const RowConstants<Real>& constants, const Vec3<V>& pull,
-                                       V* sums) DRAPEAU_INLINE_LAMBDA {
+                    {{}, weights}, [&](const Masses<V>& mass, const auto&, const RowConstants<Real>& constants,
+                                       const Vec3<V>& pull, V* sums) DRAPEAU_INLINE_LAMBDA {
                         const auto p = mass.get(direction);
                         const auto q =
                             free(L::load(constants.inverse_mass + mass.i), inertia(constants, mass.i) * p - pull);

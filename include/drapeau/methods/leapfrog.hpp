@@ -3,8 +3,9 @@
 //   v+ = [(1 - b/2) v- + dt a(x)] / (1 + b/2),  x(t+dt) = x(t) + dt v+        b = (d + c_f) dt/m
 //
 // Order 2. Drag and friction are centred, so they do not lower the limit. Dampers of springs look at velocities of the
-// position's own time, predicted as v- + dt/2 a of the step before: one more stored vector keeps the order at 2 with
-// damping, and the limit is a + 4b < 4 with b of the springs' damping alone. Without damping nothing more is stored.
+// position's own time, predicted as v- + dt/2 a of the step before, and so does the air on faces: one more stored
+// vector keeps the order at 2 with them, and the limit is a + 4b < 4 with b of theirs alone. Without them nothing more
+// is stored.
 #pragma once
 
 #include "drapeau/method.hpp"
@@ -71,12 +72,13 @@ struct Leapfrog : OneKick {
     }
 
     static StableStep stable_step(const Oscillator& o) {
-        return step_where(o.stiffness, 4.0 * o.damping, 4.0 * o.mass);
+        return step_where(o.stiffness, 4.0 * (o.damping + o.air), 4.0 * o.mass);
     }
     /// By taking steps: what is kept makes it a matrix of three rows.
     static double growth(const Oscillator& o, double dt) {
         constexpr int settling = 2000, steps = 500;
-        const double lambda = o.stiffness / o.mass, beta = o.damping / o.mass, half = 0.5 * dt * o.on_mass / o.mass;
+        const double lambda = o.stiffness / o.mass, beta = (o.damping + o.air) / o.mass,
+                     half = 0.5 * dt * o.on_mass / o.mass;
         double x = 1.0, v = 0.3 * std::sqrt(lambda), seen = v, grown = 0.0;
         for (int n = 0; n < settling + steps; ++n) {
             const double next = ((1.0 - half) * v - dt * (lambda * x + beta * seen)) / (1.0 + half);

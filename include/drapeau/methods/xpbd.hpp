@@ -32,7 +32,8 @@ struct Xpbd : OneKick {
     template <bool damped>
     static constexpr int fields = 4;
 
-    static StableStep stable_step(const Oscillator&) { return StableStep::unlimited(); }
+    /// As implicit Euler's: the air is taken at the step's beginning.
+    static StableStep stable_step(const Oscillator& o) { return step_where(0.0, 2.0 * o.air, 4.0 * o.mass); }
     /// Beyond, the stiffest springs are more than one and a half times too soft, and hold more energy than there is.
     static StableStep smooth_step(const Oscillator& o) { return step_where(o.stiffness, 0.0, 4.0 * o.mass); }
 
@@ -115,9 +116,10 @@ private:
             if (pass_.accelerate) pass_.accelerate(pass_.terms, j, pass_.time);
             const Fields here(pass_, j);
             const RowConstants<Real>& constants = pass_.constants[j];
+            const Field<const Real> pushed = pass_.acceleration.row(j);
             for (int i = 0; i < pass_.width; i += L::width) {
-                const auto a = acceleration_of(Vec3<V>{}, L::load(constants.inverse_mass + i),
-                                               pass_.acceleration.template at<V>(i));
+                const auto a =
+                    acceleration_of(Vec3<V>{}, L::load(constants.inverse_mass + i), pushed.template at<V>(i));
                 here.field[moved].set(i, dt_ * without_springs(here.at(velocity, i), L::load(constants.rate + i), a));
             }
         }

@@ -1,6 +1,7 @@
 // The list of terms: scenes, the model and the programs follow it.
 #pragma once
 
+#include "drapeau/terms/air.hpp"
 #include "drapeau/terms/air_drag.hpp"
 #include "drapeau/terms/friction.hpp"
 #include "drapeau/terms/gravity.hpp"
@@ -9,7 +10,7 @@
 namespace drapeau {
 inline namespace DRAPEAU_ISA {
 
-using Terms = ListOf<Gravity, AirDrag, Friction, Wind>;
+using Terms = ListOf<Gravity, AirDrag, Friction, Air, Wind>;
 
 }  // namespace DRAPEAU_ISA
 }  // namespace drapeau

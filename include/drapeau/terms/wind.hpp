@@ -75,21 +75,18 @@ struct Wind {
     /// The wind at a mass whose rest place is `rest` (m).
     glm::dvec3 at(double t, const glm::dvec3& rest) const { return at(t - delay(slowness(), rest)); }
 
-    /// d (w - v) v is at most d w^2 / 4. Noise stays within 2.
-    double most_power(double d) const {
-        double square = 0.0;
-        for (int axis = 0; axis < 3; ++axis) {
-            const double w = std::fabs(velocity[axis]) + 2.0 * (slow + fast) * gusts[axis];
-            square += w * w;
-        }
-        return 0.25 * d * square;
-    }
+    /// It is never faster (m/s): noise stays within 2.
+    double fastest() const { return std::sqrt(fastest_square()); }
+
+    /// d (w - v) v is at most d w^2 / 4.
+    double most_power(double d) const { return 0.25 * d * fastest_square(); }
 
     bool varies_by_row(const Grid&) const { return travelling && velocity.y != 0.0; }
 
-    /// Felt through air drag: (d/m) w on every mass.
+    /// Felt through air drag: (d/m) w on every mass. (With rates of 1 it is the wind itself.)
     template <class Real>
     void accelerate(const PushedRow<Real>& row, double t, const Field<Real>& a) const {
+        if (!row.drag_rate) return;
         if (travelling) return accelerate_travelling(row, t, a);
         const auto w = at(t);
         const auto add = [&](Real* to, double speed) {
@@ -101,6 +98,15 @@ struct Wind {
     bool operator==(const Wind&) const = default;
 
 private:
+    double fastest_square() const {
+        double square = 0.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double w = std::fabs(velocity[axis]) + 2.0 * (slow + fast) * gusts[axis];
+            square += w * w;
+        }
+        return square;
+    }
+
     static constexpr double slow = 0.8944271909999159, fast = 0.4472135954999579;  // square roots of 0.8 and 0.2
 
     double slow_knots(double t) const { return 2.0 * t / period; }  // a slow gust rises and falls in one period
