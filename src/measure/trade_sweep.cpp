@@ -85,6 +85,9 @@ double TradeSweep::seconds_of_points(const std::vector<std::size_t>& places) con
         if (!is_left_out_[n]) seconds += pace_ * with_rounds(seconds_of(points_[n]));
     return seconds;
 }
+double TradeSweep::seconds_of_flight(std::size_t n) const {
+    return pace_ * seconds_of(points_[n]);
+}
 double TradeSweep::seconds_before() const {
     const double least = least_seconds();
     return pace_ * std::min(usual_search * least, std::max(for_references * request_.budget, least));

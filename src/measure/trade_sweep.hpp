@@ -43,6 +43,7 @@ public:
     const TradePoint& point(std::size_t n) const { return points_[n]; }
     /// s that measuring so many of them takes about; of all with those that come before.
     double seconds_of_points(const std::vector<std::size_t>& places) const;
+    double seconds_of_flight(std::size_t n) const;  // of one of them, once
     double seconds_before() const;
 
     /// Lets the scene swing in and flies the references. Returns why it diverged, if it did.

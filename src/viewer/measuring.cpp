@@ -17,7 +17,7 @@ namespace drapeau {
 namespace {
 
 constexpr double budget = 60.0;         // s
-constexpr double for_points = 5.0;      // s of those, of points: the dear ones are left out
+constexpr double for_flights = 2.0;     // s of those, of points flown once: the dear ones are left out
 constexpr long long error_batches = 6;  // of 1/60 s: a tenth of a second
 constexpr double resolved = 1e-9;       // m
 constexpr double settle = 2.0;          // s that the scene swings in before
@@ -40,8 +40,8 @@ std::vector<std::size_t> affordable(const TradeSweep& sweep) {
     std::vector<std::size_t> places;
     double seconds = 0.0;
     for (const std::size_t n : sweep.cheapest_first()) {
-        seconds += sweep.seconds_of_points({n});
-        if (seconds > for_points && !places.empty()) break;
+        seconds += sweep.seconds_of_flight(n);
+        if (seconds > for_flights && !places.empty()) break;
         places.push_back(n);
     }
     return places;
