@@ -56,6 +56,7 @@ TEST_CASE("every setting of a scene has its control") {
     scene.springs.drag = 0.0006;
     scene.wind().emplace();
     scene.gravity().emplace();
+    scene.terms.get<drapeau::Air>().emplace();
     Screen screen;
     TemporaryFolder folder;
     App app(screen, {written(folder, "all.toml", drapeau::write_scene(scene)), "--size", "900x640"});
@@ -68,6 +69,8 @@ TEST_CASE("every setting of a scene has its control") {
         app.click("Page: " + page);
         app.wait_until("the page", [&](const Look& look) { return look.controls.at("Page: " + page).value == "1"; });
         if (table == "view") app.click("Page: Flag");  // "Shaped like its image" stands there
+        app.settle();
+        app.wheel(app.look().box("panel").at(0.5, 0.5), 30);  // back to its top: what follows only scrolls down
         app.settle();
         each_key(keys, [&](const auto& field) {
             app.show(sign_of(table, field));
