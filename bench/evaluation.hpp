@@ -1,7 +1,7 @@
 // Evaluation: one pass that stores the acceleration of every mass and moves nothing, given to a kernel directly.
 #pragma once
 
-#include "drapeau/model.hpp"
+#include "drapeau/model_rows.hpp"
 #include "drapeau/sweep.hpp"
 
 #include <utility>

@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::json;
 
 Json converge(const Bench& bench, const std::string& arguments) {
-    const Outcome outcome = bench.run("converge " + arguments + " --json c.json", "timeout 300 ");
+    const Outcome outcome = bench.run("converge " + arguments + " --json c.json");
     INFO(arguments << ": " << outcome.messages << outcome.output);
     REQUIRE(outcome.status == 0);
     return Json::parse(contents(bench.path / "c.json"));

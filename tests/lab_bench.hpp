@@ -42,7 +42,8 @@ struct Bench {
 
     void write(const std::string& name, const std::string& text) const { std::ofstream(path / name) << text; }
 
-    Outcome run(const std::string& arguments, const std::string& under = "timeout 60 ") const {
+    /// Under a sanitizer, beside other tests, a minute's work may take several.
+    Outcome run(const std::string& arguments, const std::string& under = "timeout 600 ") const {
         const std::string command =
             "cd '" + path.string() + "' && " + under + "'" + lab.string() + "' " + arguments + " 2>.messages";
         Outcome outcome;

@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <utility>
 
 using namespace drapeau;
 using namespace std::chrono_literals;
@@ -153,6 +154,10 @@ TEST_CASE("a measurement can be ended at any moment, and another takes its place
         measuring.wait();
         CHECK_FALSE(measuring.take());
     }
+    measuring.measure(Measuring::Subject::trade, oscillator());
+    measuring.wait();
+    measuring.stop();
+    CHECK_FALSE(measuring.take());
     measuring.measure(Measuring::Subject::prices, large);
     measuring.measure(Measuring::Subject::trade, oscillator());
     measuring.wait();
@@ -245,41 +250,86 @@ TEST_CASE("what was measured is followed unless somebody set a method meanwhile"
     }
 }
 
-TEST_CASE("parts are switched off and on again in any order") {
-    Scene scene = oscillator();
-    scene.springs.drag = 0.002;
-    scene.springs.damping = 0.01;
-    Findings findings;
-    findings.prices = MeasuredPrices{.scene = scene, .since = 0.0, .seconds = 0.1, .parts = {}};
-    const MeasuredPrices& prices = *findings.prices;
-    const Scene no_drag = without(prices, {"springs.drag"}, scene);
-    CHECK_FALSE(no_drag.springs.drag);
-    CHECK(no_drag.springs.damping == 0.01);
-    const Scene neither = without(prices, {"springs.drag", "springs.damping"}, no_drag);
-    CHECK_FALSE(neither.springs.drag);
-    CHECK_FALSE(neither.springs.damping);
-    CHECK(without(prices, {}, neither) == scene);
+namespace {
 
+/// Findings of a scene whose parts were priced.
+Findings priced(const Scene& scene) {
+    MeasuredPrices prices{.scene = scene, .since = 0.0, .seconds = 0.1, .parts = {}};
+    for (const ScenePart& part : parts_of(scene)) prices.parts.emplace_back().part = part;
+    Findings findings;
+    findings.prices = std::move(prices);
+    return findings;
+}
+
+}  // namespace
+
+TEST_CASE("parts are switched off and on again in any order") {
+    Scene given = oscillator();
+    given.springs.drag = 0.002;
+    given.springs.damping = 0.01;
+    given.wind().emplace();
+    Findings findings = priced(given);
+    Scene scene = given;
     CHECK(are_of(findings, scene));
-    findings.left_out = {"springs.drag"};
-    findings.reduced = no_drag;
-    CHECK(are_of(findings, no_drag));
-    CHECK_FALSE(are_of(findings, scene));
-    SECTION("a part that needs what is left out is missing too") {
-        Scene windy = scene;
-        windy.wind().emplace();
-        ScenePart wind{"wind", "wind", windy, {}, ""};
-        findings.prices->scene = windy;
-        findings.prices->parts = {Priced{.part = wind, .effect = {}, .cost = {}, .remark = ""}};
-        const Scene still = without(*findings.prices, {"springs.drag"}, windy);
-        CHECK_FALSE(still.wind());
-        CHECK(missing_parts(findings, still) == std::set<std::string>{"wind"});
-        CHECK(missing_parts(findings, windy).empty());
-    }
+    leave_out("springs.damping", true, scene, findings);
+    CHECK_FALSE(scene.springs.damping);
+    CHECK(are_of(findings, scene));
+    CHECK_FALSE(are_of(findings, given));
+    CHECK(findings.missing.empty());
+    // Nothing would feel the wind.
+    leave_out("springs.drag", true, scene, findings);
+    CHECK_FALSE(scene.springs.drag);
+    CHECK_FALSE(scene.wind());
+    CHECK(findings.missing.contains("wind"));
+    CHECK_FALSE(findings.missing.contains("springs.damping"));
+    leave_out("springs.damping", false, scene, findings);
+    CHECK(scene.springs.damping == 0.01);
     SECTION("a method chosen meanwhile stays") {
-        Scene other = no_drag;
-        other.time.method = method_id<Rk4>;
-        CHECK(are_of(findings, other));
-        CHECK(without(prices, {}, other).time.method == method_id<Rk4>);
+        scene.time.method = method_id<Rk4>;
+        CHECK(are_of(findings, scene));
+        leave_out("springs.drag", false, scene, findings);
+        CHECK(scene.time.method == method_id<Rk4>);
     }
+    leave_out("springs.drag", false, scene, findings);
+    scene.time = given.time;
+    CHECK(scene == given);
+    CHECK(findings.missing.empty());
+}
+
+TEST_CASE("double precision and a tolerance are switched off and on like other parts") {
+    Scene given = oscillator();
+    given.time.precision = Precision::double_precision;
+    given.time.tolerance = 1e-3;
+    Findings findings = priced(given);
+    Scene scene = given;
+    for (const std::string key : {"time.precision", "time.tolerance"}) {
+        CAPTURE(key);
+        leave_out(key, true, scene, findings);
+        hear_of_scene(findings, scene);
+        CHECK(findings.left_out.contains(key));
+    }
+    CHECK(scene.time.precision == Precision::single_precision);
+    CHECK_FALSE(scene.time.tolerance);
+    leave_out("time.tolerance", false, scene, findings);
+    CHECK(scene.time.tolerance == 1e-3);
+    leave_out("time.precision", false, scene, findings);
+    CHECK(scene == given);
+}
+
+TEST_CASE("settings that the run refused leave no part switched off") {
+    Scene given = oscillator();
+    given.springs.drag = 0.002;
+    Findings findings = priced(given);
+    Scene scene = given;
+    leave_out("springs.drag", true, scene, findings);
+    hear_of_scene(findings, scene);
+    CHECK(findings.left_out.size() == 1);
+    hear_of_scene(findings, given);
+    CHECK(findings.left_out.empty());
+    Scene other = given;
+    other.springs.mass *= 2.0;
+    leave_out("springs.drag", true, scene, findings);
+    hear_of_scene(findings, other);
+    CHECK(findings.left_out.size() == 1);
+    CHECK_FALSE(are_of(findings, other));
 }

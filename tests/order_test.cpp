@@ -62,6 +62,22 @@ void check_order(const std::vector<double>& errors, int order) {
     }
 }
 
+/// Of positions and velocities, which leapfrog synchronises.
+template <class Method>
+void check_orders(const Model& model, const Springs& springs) {
+    const Moved exact = exact_motion(model);
+    std::vector<double> in_position, in_velocity;
+    for (const int n : steps_for<Method>(springs)) {
+        Sheet<double, Method> sheet(model);
+        sheet.advance(end / n, n);
+        in_position.push_back(error(sheet.positions(), exact.x));
+        in_velocity.push_back(error(sheet.velocities(), exact.v));
+    }
+    INFO("diagonals " << model.has_diagonals() << ", damped " << model.is_damped());
+    check_order(in_position, Method::order);
+    check_order(in_velocity, Method::order);
+}
+
 }  // namespace
 
 TEST_CASE("The reference of these tests is of order 4", "[physics]") {
@@ -78,20 +94,7 @@ TEST_CASE("The reference of these tests is of order 4", "[physics]") {
 
 TEMPLATE_LIST_TEST_CASE("A method has the order it declares, not less and not more", "[physics]", DoubleCases) {
     using Method = typename TestType::Method;
-    for (const auto& springs : springs_of) {
-        const Model model = cloth(springs);
-        const Moved exact = exact_motion(model);
-        std::vector<double> in_position, in_velocity;
-        for (const int n : steps_for<Method>(springs)) {
-            Sheet<double, Method> sheet(model);
-            sheet.advance(end / n, n);
-            in_position.push_back(error(sheet.positions(), exact.x));
-            in_velocity.push_back(error(sheet.velocities(), exact.v));
-        }
-        INFO("diagonals " << model.has_diagonals() << ", damped " << model.is_damped());
-        check_order(in_position, Method::order);
-        check_order(in_velocity, Method::order);  // synchronised, for leapfrog
-    }
+    for (const auto& springs : springs_of) check_orders<Method>(cloth(springs), springs);
 }
 
 TEMPLATE_LIST_TEST_CASE("A method has its order with air on faces too, springs damped or not", "[physics]",
@@ -105,17 +108,7 @@ TEMPLATE_LIST_TEST_CASE("A method has its order with air on faces too, springs d
                               .add(Gravity{{0.0, -9.81, 0.0}})
                               .add(Air{.density = 1.2, .pressure = 1.2, .skin = 0.3})
                               .add(Wind{{3.0, 0.5, 6.0}, {0.5, 0.2, 0.5}, 1.5, true, 3}));
-        const Moved exact = exact_motion(model);
-        std::vector<double> in_position, in_velocity;
-        for (const int n : steps_for<Method>(springs)) {
-            Sheet<double, Method> sheet(model);
-            sheet.advance(end / n, n);
-            in_position.push_back(error(sheet.positions(), exact.x));
-            in_velocity.push_back(error(sheet.velocities(), exact.v));
-        }
-        INFO("damped " << model.is_damped());
-        check_order(in_position, Method::order);
-        check_order(in_velocity, Method::order);
+        check_orders<Method>(model, springs);
     }
 }
 

@@ -26,7 +26,7 @@ using Json = nlohmann::json;
 
 Json price(const Bench& bench, const std::string& arguments, int status = 0) {
     const std::string budget = arguments.find("--budget") == std::string::npos ? " --budget 0.2" : "";
-    const Outcome outcome = bench.run("price " + arguments + budget + " --json p.json", "timeout 300 ");
+    const Outcome outcome = bench.run("price " + arguments + budget + " --json p.json");
     INFO(arguments << ": " << outcome.messages << outcome.output);
     REQUIRE(outcome.status == status);
     return Json::parse(contents(bench.path / "p.json"));
@@ -301,7 +301,7 @@ TEST_CASE("what changes the motion least is left out first, if it saves time") {
                 "[springs]\nmass = 0.001\nstiffness = 50\ndiagonal_stiffness = 25\ndrag = 0.002\n[gravity]\n");
     const std::string drum = "drum.toml --settle 0.1 --seconds 0.1 --tolerance 1m";
     if (sanitized) {  // what saves time there is anybody's guess
-        CHECK(bench.run("price " + drum + " --budget 0.2", "timeout 300 ").status <= 1);
+        CHECK(bench.run("price " + drum + " --budget 0.2").status <= 1);
         return;
     }
     const Json found = price(bench, drum);
@@ -385,11 +385,11 @@ TEST_CASE("where motions are chaotic nobody says how well they are known") {
     for (const std::string& command : {std::string("price"), std::string("trade --methods leapfrog"),
                                        std::string("converge --methods leapfrog --levels 3")}) {
         INFO(command);
-        const Outcome far = bench.run(command + " short.toml --settle 0 --seconds 2 --budget 0.3", "timeout 120 ");
+        const Outcome far = bench.run(command + " short.toml --settle 0 --seconds 2 --budget 0.3");
         REQUIRE(far.status == 0);
         CHECK_FALSE(has(far.output, "motion is known to"));
         CHECK_FALSE(has(far.output, ", known to"));
-        const Outcome near = bench.run(command + " short.toml --settle 0 --seconds 0.1 --budget 0.3", "timeout 120 ");
+        const Outcome near = bench.run(command + " short.toml --settle 0 --seconds 0.1 --budget 0.3");
         REQUIRE(near.status == 0);
         CHECK(has(near.output, "known to"));
     }
@@ -427,4 +427,12 @@ TEST_CASE("what price cannot do is refused before work, in one line") {
     check_refused(bench.run("price no-such"), "no-such: no such file or shipped scene");
     CHECK(bench.files().empty());
     CHECK(has(bench.run("price --help").output, "Exit status: 0 good, 1 nothing can be left out"));
+}
+
+TEST_CASE("a cost is said with what it is known to, or as the most that it may be") {
+    CHECK(percent(Share{0.4334, 0.0107}) == "43.3 ± 1.1 %");
+    CHECK(percent(Share{-1.19, 0.8}) == "-119 ± 80 %");
+    CHECK(percent(Share{0.004, 0.02}) == "< 2.4 %");
+    CHECK(percent(Share{-0.1, 0.14}) == "< 24.0 %");
+    CHECK(percent(Share{}) == "-");
 }

@@ -21,7 +21,7 @@ TEST_CASE("a report is one page with four chapters that needs no other file") {
     if (std::system("gnuplot --version >/dev/null 2>&1") != 0) return;  // ./dev test installs it
     const Bench bench;
     bench.write("odd.toml", std::string(on_a_spring) + "damping = 0.01\n[gravity]\n");
-    const auto outcome = bench.run("report odd.toml -o page.html --budget 0.5", "timeout 300 ");
+    const auto outcome = bench.run("report odd.toml -o page.html --budget 0.5");
     INFO(outcome.messages);
     REQUIRE(outcome.status == 0);
     const std::string page = contents(bench.path / "page.html");
@@ -43,7 +43,7 @@ TEST_CASE("what a report cannot measure is said on its page, and nothing at all 
     if (std::system("gnuplot --version >/dev/null 2>&1") != 0) return;
     const Bench bench;
     bench.write("bare.toml", on_a_spring);  // nothing of it can be left out
-    REQUIRE(bench.run("report bare.toml -o page.html --budget 0.5", "timeout 300 ").status == 0);
+    REQUIRE(bench.run("report bare.toml -o page.html --budget 0.5").status == 0);
     CHECK(has(contents(bench.path / "page.html"), "<p class=\"trouble\">"));
 
     const auto refused = [&](const std::string& arguments, const std::string& why) {

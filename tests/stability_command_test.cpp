@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::json;
 
 Json limits_of(const Bench& bench, const std::string& arguments) {
-    const Outcome outcome = bench.run("stability " + arguments + " --json s.json", "timeout 300 ");
+    const Outcome outcome = bench.run("stability " + arguments + " --json s.json");
     INFO(arguments << ": " << outcome.messages << outcome.output);
     REQUIRE(outcome.status == 0);
     CHECK_FALSE(has(outcome.messages, "\r"));  // no bar in a pipe

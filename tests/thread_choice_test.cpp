@@ -57,6 +57,18 @@ TEST_CASE("what it comes to follows the machine") {
     CHECK(seconds_of(choice, 1000, 1) < 1.1 * 1000 * seconds_with(1, 1));
 }
 
+TEST_CASE("a machine that becomes busy is noticed within some batches, however long all was well") {
+    for (int before = 3000; before < 3000 + 40; ++before) {
+        CAPTURE(before);
+        ThreadChoice choice(8);
+        seconds_of(choice, before, 16);
+        REQUIRE(choice.threads() >= 4);
+        // Three slow ones show it, a pair lie between three trials, of which the one with one thread is faster.
+        constexpr int enough = 3 + 3 * (2 + 1);
+        CHECK(seconds_of(choice, enough + 100, 1) < enough * seconds_with(8, 1) + 1.15 * 100 * seconds_with(1, 1));
+    }
+}
+
 TEST_CASE("one thread stays alone") {
     ThreadChoice choice(1);
     std::set<int> used;

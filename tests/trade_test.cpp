@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::json;
 
 Json trade(const Bench& bench, const std::string& arguments, int status = 0) {
-    const Outcome outcome = bench.run("trade " + arguments + " --json t.json", "timeout 300 ");
+    const Outcome outcome = bench.run("trade " + arguments + " --json t.json");
     INFO(arguments << ": " << outcome.messages << outcome.output);
     REQUIRE(outcome.status == status);
     return Json::parse(contents(bench.path / "t.json"));

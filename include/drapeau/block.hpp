@@ -7,7 +7,7 @@
 #pragma once
 
 #include "drapeau/advance.hpp"
-#include "drapeau/model.hpp"
+#include "drapeau/model_rows.hpp"
 
 #include <algorithm>
 #include <vector>

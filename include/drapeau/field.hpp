@@ -152,7 +152,7 @@ struct Kernels {
     void (*measure)(const Pass<Real>&);               // energy and stretch; moves nothing
     void (*evaluate)(const Pass<Real>&);              // accelerations but for drag and friction, into `out`
     void (*stiffness)(const Pass<Real>&);             // the Hessian times a direction, see advance.hpp
-    // Of the air, from fields 0 and 1 of a pass (advance.hpp): by whether there is pressure and whether there is skin
+    // Of the air, from fields 0 and 1 of a pass (air_rows.hpp): by whether there is pressure and whether there is skin
     // friction, what it pushes with added to `acceleration`, into `out`; how fast it brakes, into the rows' sums.
     void (*air[2][2])(const Pass<Real>&);
     void (*air_rate)(const Pass<Real>&);

@@ -20,7 +20,7 @@
 //   is_air                      the damping is against the air, so wind is felt through it
 //
 // A term that sees where masses are and how they move (terms/air.hpp) has a kernel of its own, which passes over the
-// rows before the sweep does (advance.hpp, block.hpp); its methods are asked for by name.
+// rows before the sweep does (air_rows.hpp, block.hpp); its methods are asked for by name.
 #pragma once
 
 #include "drapeau/state.hpp"

@@ -28,7 +28,7 @@ namespace {
 /// What a study says of how far it is, once a bar of progress is there.
 struct Teller {
     std::optional<Progress> progress;
-    PriceStudy::Tick tick = [this](double share) {
+    Tick tick = [this](double share) {
         if (progress) progress->show(share);
     };
 };

@@ -21,14 +21,6 @@ std::string percent(double share) {
     return std::isfinite(share) ? rounded(100.0 * share, share * share < 1e-2 ? 2 : 3) + " %" : "-";
 }
 
-/// "43.3 ± 1.1 %"; of what is smaller than it is known to, the most that it may be.
-std::string percent(const Share& share) {
-    if (!std::isfinite(share.value)) return "-";
-    if (!share.is_resolved()) return "< " + percent(std::abs(share.value) + share.known_to);
-    const int decimals = share.known_to < 0.1 ? 1 : 0;
-    return fmt::format("{:.{}f} ± {:.{}f} %", 100.0 * share.value, decimals, 100.0 * share.known_to, decimals);
-}
-
 std::string milliseconds(double value) {
     return std::isfinite(value) ? rounded(value, 3) + " ms/s" : "-";
 }

@@ -4,6 +4,7 @@
 
 #include "scene/scene.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace drapeau {
@@ -21,6 +22,9 @@ struct ComparisonRequest {
     // however often it is done.
     bool counts_work = false;
 };
+
+/// Is told the share of the work that is done.
+using Tick = std::function<void(double)>;
 
 /// s that a unit of step_cost counts for where work is counted.
 inline constexpr double counted_unit = 4e-9;

@@ -1,10 +1,13 @@
 #include "measure/price_cost.hpp"
 
 #include "io/error.hpp"
+#include "io/text.hpp"
 #include "measure/clocks.hpp"
 #include "measure/median_interval.hpp"
 #include "measure/price_effect.hpp"
 #include "measure/run_cost.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,6 +64,14 @@ double known_to(const Costs& costs) {
 }
 
 }  // namespace
+
+std::string percent(const Share& share) {
+    if (!std::isfinite(share.value)) return "-";
+    const double most = std::abs(share.value) + share.known_to;
+    if (!share.is_resolved()) return "< " + rounded(100.0 * most, most < 0.1 ? 2 : 3) + " %";
+    const int decimals = share.known_to < 0.1 ? 1 : 0;
+    return fmt::format("{:.{}f} ± {:.{}f} %", 100.0 * share.value, decimals, 100.0 * share.known_to, decimals);
+}
 
 Share Costs::saved(std::size_t from, std::size_t to) const {
     std::vector<double> shares;

@@ -25,6 +25,9 @@ struct Share {
     bool is_saving() const { return value > known_to; }
 };
 
+/// "43.3 ± 1.1 %"; of what is smaller than it is known to the most that it may be, "< 2.4 %"; "-" where it is unknown.
+std::string percent(const Share& share);
+
 struct Costs {
     std::vector<Cost> of;                    // each scene
     std::vector<std::vector<double>> turns;  // ms of processor time a simulated second, of each in every round

@@ -65,8 +65,6 @@ struct Reduction {
 
 class PriceStudy {
 public:
-    using Tick = std::function<void(double)>;  // is told the share of the work that is done
-
     /// Throws InputError where the scene is impossible, no mass is free, nothing of it can be left out, or the budget
     /// does not suffice.
     PriceStudy(const PriceRequest& request, Tick tick);

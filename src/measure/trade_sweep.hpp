@@ -18,9 +18,6 @@ struct TradeRequest : ComparisonRequest {
     double enough = 0.0;  // m: no better reference is wanted, root mean square
 };
 
-/// Is told the share of the work that is done.
-using Tick = std::function<void(double)>;
-
 struct Recommendation {
     std::optional<std::size_t> place;  // in the points; nothing if none meets the tolerance twice
     std::vector<Measured> rejected;  // cheaper ones, that met it in the sweep: as they were in the stretch that follows

@@ -13,9 +13,9 @@ namespace drapeau {
 
 namespace {
 
-constexpr double real_time = 1000.0;        // ms a simulated second
-constexpr double most = 0.9 * real_time;    // of them that one thread has beside everything else
-constexpr double room_for_tolerance = 0.8;  // of a tolerance: what automatic steps aim at
+constexpr double real_time = 1000.0;      // ms a simulated second
+constexpr double most = 0.9 * real_time;  // of them that one thread has beside everything else
+constexpr double room = 0.8;              // an error measured, of what is then asked for: it varies with the motion
 
 std::string rate_text(double rate) {
     return rounded(1e3 * rate, 2) + " mm/s";
@@ -27,6 +27,24 @@ std::string cost_text(double ms_per_second) {
 
 std::string pace_text(double ms_per_second) {
     return rounded(real_time / ms_per_second, 2) + " times real time";
+}
+
+/// The priced scene without some of its parts, stepped as `now` is but for what of that is a part too.
+Scene without(const MeasuredPrices& prices, const std::set<std::string>& left_out, const Scene& now) {
+    Scene scene = prices.scene;
+    const TimeSettings priced = prices.scene.time;
+    scene.time = now.time;
+    if (priced.precision == Precision::double_precision) scene.time.precision = priced.precision;
+    if (priced.tolerance && !now.time.dt && !now.time.tolerance) scene.time.tolerance = priced.tolerance;
+    scene.view = now.view;
+    scene.name = now.name;
+    scene.flag.texture = now.flag.texture;
+    for (const std::string& key : left_out) {
+        const std::vector<ScenePart> parts = parts_of(scene);
+        const auto part = std::find_if(parts.begin(), parts.end(), [&](const ScenePart& p) { return p.key == key; });
+        if (part != parts.end() && part->impossible.empty()) scene = part->without;
+    }
+    return scene;
 }
 
 }  // namespace
@@ -107,8 +125,7 @@ AccuracyAnswer answer_for(double accuracy, const Scene& scene, const Findings& f
     }
     const Measured& nearest = trade.points[*choice.nearest];
     const double rate = std::max(nearest.error.distance(), nearest.known_to) / trade.seconds;
-    // Automatic steps keep some distance from what they are asked for.
-    answer.instead = rate / room_for_tolerance;
+    answer.instead = rate / room;
     answer.text += " The nearest that keeps up: " + told(nearest) + ".";
     return answer;
 }
@@ -120,6 +137,7 @@ void take(MeasuredScene measurement, Scene& scene, Findings& findings) {
     if (measurement.prices) {
         findings.prices = std::move(measurement.prices);
         findings.left_out.clear();
+        findings.missing.clear();
     }
     if (findings.accuracy && scene.time == findings.chosen)
         scene.time = findings.chosen = settings_for(*findings.accuracy, scene, findings);
@@ -143,29 +161,23 @@ std::optional<std::size_t> place_of(const TimeSettings& time, double dt, const M
     return {};
 }
 
-Scene without(const MeasuredPrices& prices, const std::set<std::string>& left_out, const Scene& now) {
-    Scene scene = prices.scene;
-    const Precision given = prices.scene.time.precision;
-    scene.time = now.time;
-    // Double precision is a part too.
-    if (given == Precision::double_precision) scene.time.precision = given;
-    scene.view = now.view;
-    scene.name = now.name;
-    scene.flag.texture = now.flag.texture;
-    for (const std::string& key : left_out) {
-        const std::vector<ScenePart> parts = parts_of(scene);
-        const auto part = std::find_if(parts.begin(), parts.end(), [&](const ScenePart& p) { return p.key == key; });
-        if (part != parts.end() && part->impossible.empty()) scene = part->without;
-    }
-    return scene;
+void leave_out(const std::string& key, bool is_out, Scene& scene, Findings& findings) {
+    const MeasuredPrices& prices = *findings.prices;
+    if (is_out)
+        findings.left_out.insert(key);
+    else
+        findings.left_out.erase(key);
+    scene = findings.reduced = without(prices, findings.left_out, scene);
+    findings.missing.clear();
+    for (const Priced& priced : prices.parts)
+        if (!findings.left_out.contains(priced.part.key)) findings.missing.insert(priced.part.key);
+    for (const ScenePart& part : parts_of(scene)) findings.missing.erase(part.key);
 }
 
-std::set<std::string> missing_parts(const Findings& findings, const Scene& now) {
-    std::set<std::string> missing;
-    for (const Priced& priced : findings.prices->parts) missing.insert(priced.part.key);
-    for (const ScenePart& part : parts_of(now)) missing.erase(part.key);
-    for (const std::string& key : findings.left_out) missing.erase(key);
-    return missing;
+void hear_of_scene(Findings& findings, const Scene& now) {
+    if (findings.left_out.empty() || are_of(findings, now) || !holds_for(findings.prices->scene, now)) return;
+    findings.left_out.clear();
+    findings.missing.clear();
 }
 
 bool are_of(const Findings& findings, const Scene& now) {

@@ -26,7 +26,7 @@ struct Findings {
     TimeSettings chosen;             // that the accuracy came to; any other means that the user chose
     std::set<std::string> left_out;  // keys of parts that are switched off in the list of prices
     Scene reduced;                   // what they leave of the scene that was priced
-    std::set<std::string> missing;   // keys of parts that went with those
+    std::set<std::string> missing;   // keys of parts that needed those and went with them
 };
 
 /// Whether what was measured of a scene holds for another: how it is stepped does not matter.
@@ -54,11 +54,12 @@ TimeSettings settings_of(const TradePoint& point, TimeSettings time);
 /// The place of the point that the scene is stepped by; nothing if there is none.
 std::optional<std::size_t> place_of(const TimeSettings& time, double dt, const MeasuredTrade& trade);
 
-/// The priced scene without some of its parts, stepped as `now` is.
-Scene without(const MeasuredPrices& prices, const std::set<std::string>& left_out, const Scene& now);
+/// Switches a priced part of the scene off or on again. The scene is then the priced one without all that is off,
+/// stepped as it was before.
+void leave_out(const std::string& key, bool is_out, Scene& scene, Findings& findings);
 
-/// Keys of parts that were priced, are not switched off, and yet are no part of the scene: those that needed what is.
-std::set<std::string> missing_parts(const Findings& findings, const Scene& now);
+/// Settings that the run refused are taken back: where the scene is as it was priced, nothing of it is switched off.
+void hear_of_scene(Findings& findings, const Scene& now);
 
 /// Whether the list of prices speaks of this scene, as its switches made it.
 bool are_of(const Findings& findings, const Scene& now);

@@ -17,7 +17,7 @@ namespace drapeau {
 namespace {
 
 constexpr double budget = 60.0;         // s
-constexpr double for_flights = 2.0;     // s of those, of points flown once: the dear ones are left out
+constexpr double for_flights = 0.6;     // s of those, of points flown once: the dear ones are left out
 constexpr long long error_batches = 6;  // of 1/60 s: a tenth of a second
 constexpr double resolved = 1e-9;       // m
 constexpr double settle = 2.0;          // s that the scene swings in before
@@ -158,6 +158,7 @@ void Measuring::stop() {
     const std::lock_guard lock(mutex_);
     abandon_.request_stop();
     wanted_.reset();
+    ready_.reset();
 }
 
 std::optional<Measuring::Subject> Measuring::under_way() const {

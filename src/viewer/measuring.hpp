@@ -1,5 +1,5 @@
 // Measuring: what settings cost and how wrong they are, and what each part of a scene does, found out on a thread of
-// its own that lets every other go first, while the flag flies.
+// its own, which lets others go first, while the flag flies.
 #pragma once
 
 #include "measure/price_study.hpp"
@@ -54,7 +54,7 @@ public:
 
     /// In place of what is under way.
     void measure(Subject subject, const Scene& scene);
-    void stop();
+    void stop();  // what is ready and was not taken is forgotten too
 
     /// What is under way or waited for, and the share of it that is done.
     std::optional<Subject> under_way() const;
@@ -71,7 +71,7 @@ private:
 
     void work(const std::stop_token& ending);
     MeasuredScene measured(const Wanted& wanted, const std::stop_token& stop);
-    PriceStudy::Tick tick(const std::stop_token& stop);
+    Tick tick(const std::stop_token& stop);
 
     mutable std::mutex mutex_;
     std::condition_variable_any begun_;

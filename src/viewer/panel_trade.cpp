@@ -119,15 +119,8 @@ void draw_trade(AppState& app, Widgets& widgets) {
     measure_button(app, Subject::trade, is_of ? "Measure anew" : "Measure settings",
                    "Flies the scene for a tenth of a second with every method, many steps and both precisions, and "
                    "compares them with a reference of another method at far smaller steps. It is done beside the flag, "
-                   "in about ten seconds.",
+                   "in some seconds of one processor.",
                    widgets);
-}
-
-std::string cost_text(const Priced& priced) {
-    const Share& cost = priced.cost.own;
-    if (!std::isfinite(cost.value)) return "\xe2\x80\x93";
-    if (!cost.is_resolved()) return "< " + rounded(100.0 * cost.known_to, 2) + " %";
-    return fmt::format("{} ± {} %", rounded(100.0 * cost.value, 2), rounded(100.0 * cost.known_to, 1));
 }
 
 std::string effect_text(const Priced& priced) {
@@ -147,7 +140,7 @@ std::string part_name(const ScenePart& part) {
 }
 
 std::string tip_of(const Priced& priced, const MeasuredPrices& prices) {
-    std::string text = priced.part.label + ".\nIt costs " + cost_text(priced) + " of the time";
+    std::string text = priced.part.label + ".\nIt costs " + percent(priced.cost.own) + " of the time";
     if (priced.effect.is_measured)
         text += fmt::format("; without it masses are {} elsewhere after {} (root mean square)", effect_text(priced),
                             quantity(prices.seconds, "s"));
@@ -175,16 +168,11 @@ void draw_price_rows(AppState& app, Widgets& widgets) {
         if (is_missing) ImGui::BeginDisabled();
         if (widgets.toggle(("Part: " + key).c_str(), on, tip_of(priced, prices).c_str(),
                            part_name(priced.part).c_str())) {
-            if (on)
-                findings.left_out.erase(key);
-            else
-                findings.left_out.insert(key);
-            app.scene = findings.reduced = without(prices, findings.left_out, app.scene);
-            findings.missing = missing_parts(findings, app.scene);
+            leave_out(key, !on, app.scene, findings);
         }
         if (is_missing) ImGui::EndDisabled();
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(cost_text(priced).c_str());
+        ImGui::TextUnformatted(percent(priced.cost.own).c_str());
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(effect_text(priced).c_str());
     }
@@ -195,17 +183,18 @@ void draw_price_rows(AppState& app, Widgets& widgets) {
 void draw_prices(AppState& app, Widgets& widgets) {
     Findings& findings = app.findings;
     if (findings.prices) {
-        // Settings that the run refused were taken back.
-        if (!findings.left_out.empty() && holds_for(findings.prices->scene, app.scene)) findings.left_out.clear();
+        hear_of_scene(findings, app.scene);
+        if (!are_of(findings, app.scene)) paragraph("The scene has changed since it was priced.");
         draw_price_rows(app, widgets);
         paragraph(fmt::format(
             "Time saved and change after {} without each part alone, of {} of processor time a second.",
             quantity(findings.prices->seconds, "s"), quantity(1e-3 * findings.prices->ms_per_second, "s", 2)));
     }
-    measure_button(app, Subject::prices, findings.prices ? "Price anew" : "Price each part",
-                   "What every part of the scene costs in time and changes in millimetres: the scene is flown with and "
-                   "without it from the same state. It is done beside the flag, in half a minute or so.",
-                   widgets);
+    measure_button(
+        app, Subject::prices, findings.prices ? "Price anew" : "Price each part",
+        "What every part of the scene costs in time and changes in millimetres: the scene is flown with and "
+        "without it from the same state. It is done beside the flag, in some twenty seconds of one processor.",
+        widgets);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ public:
     /// What batches take has changed: another flag.
     void forget() {
         now_ = best_;
-        batches_ = 0;
+        batches_ = slow_ = 0;
     }
     /// That batch took so long (s a step).
     void took(double seconds) {
@@ -28,8 +28,12 @@ public:
         if (now_ != best_) {
             judge(seconds);
         } else {
-            // What the machine has left for it changes: the newest batches count.
-            constexpr double remembered = 0.9;
+            // What the machine has left for it changes: the newest batches count, and others are tried at once where
+            // several in a row are far slower.
+            constexpr double remembered = 0.9, far_slower = 1.5;
+            constexpr int several = 3;
+            slow_ = batches_ > 0 && seconds > far_slower * usual_ ? slow_ + 1 : 0;
+            if (slow_ == several) patience_ = first_patience;
             usual_ = batches_ == 0 ? seconds : std::min(seconds, remembered * usual_ + (1.0 - remembered) * seconds);
             if (++batches_ >= patience_) now_ = another();
         }
@@ -39,8 +43,8 @@ private:
     /// A trial: the new number stays if it is clearly faster, or else is not tried again for twice as long.
     void judge(double seconds) {
         constexpr double clearly = 0.85;
-        constexpr int first_patience = 2, longest_patience = 1024;  // batches
-        batches_ = 0;
+        constexpr int longest_patience = 1024;  // batches
+        batches_ = slow_ = 0;
         if (seconds < clearly * usual_) {
             best_ = now_;
             usual_ = seconds;
@@ -59,9 +63,11 @@ private:
         }
     }
 
+    static constexpr int first_patience = 2;  // batches
+
     int most_, best_, now_;
     unsigned turn_ = 0;
-    int batches_ = 0, patience_ = 8;
+    int batches_ = 0, patience_ = 8, slow_ = 0;
     double usual_ = std::numeric_limits<double>::infinity();  // s a step, with the best number
 };
 

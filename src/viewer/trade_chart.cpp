@@ -30,7 +30,7 @@ ImU32 color_of(Method method) {
     return colors[static_cast<std::size_t>(method) % colors.size()];
 }
 
-/// A logarithmic axis between whole tenths of decades.
+/// A logarithmic axis.
 struct Axis {
     double low = INFINITY, high = 0.0;
     float from = 0.0f, to = 0.0f;  // window units

@@ -7,8 +7,6 @@
 // edge-on. n is the direction of (x_right - x_left) x (x_above - x_below), the grid's central differences, one-sided at
 // borders. A is the area at rest; a border node's is half, a corner's a quarter, however heavy it is: the shares come
 // to the whole cloth. A chain has no faces and feels nothing.
-//
-// A is not shared as mass is: air acts on area.
 #pragma once
 
 #include "drapeau/term.hpp"
