@@ -161,11 +161,11 @@ Scene scene_of(const Case& c) {
     scene.flag.rows = c.rows;
     scene.flag.width = pitch * (c.columns - 1);
     scene.flag.height = pitch * (c.rows - 1);
-    scene.springs.mass = 1e-4;
-    scene.springs.stiffness = 200.0;
-    if (listing.diagonal) scene.springs.diagonal_stiffness = 100.0;
-    if (listing.damping) scene.springs.damping = 0.002;
-    if (listing.drag) scene.springs.drag = 6e-4;
+    scene.springs->mass = 1e-4;
+    scene.springs->stiffness = 200.0;
+    if (listing.diagonal) scene.springs->diagonal_stiffness = 100.0;
+    if (listing.damping) scene.springs->damping = 0.002;
+    if (listing.drag) scene.springs->drag = 6e-4;
     if (listing.gravity) scene.terms.add(Gravity{});
     switch (listing.wind) {
         case Blowing::still:

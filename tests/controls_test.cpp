@@ -154,11 +154,11 @@ TEST_CASE("what is held with Alt or Super is the desktop's, and letting a key go
 
 TEST_CASE("diagonal springs come back as stiff as they were") {
     Desk desk;
-    desk.app.scene.springs.diagonal_stiffness = 12.5;
+    desk.app.scene.springs->diagonal_stiffness = 12.5;
     desk.type('d');
-    CHECK(!desk.app.scene.springs.diagonal_stiffness);
+    CHECK(!desk.app.scene.springs->diagonal_stiffness);
     desk.type('d');
-    CHECK(desk.app.scene.springs.diagonal_stiffness == 12.5);
+    CHECK(desk.app.scene.springs->diagonal_stiffness == 12.5);
 }
 
 TEST_CASE("keys are text while a text is typed, and shortcuts with control do nothing else") {

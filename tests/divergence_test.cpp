@@ -130,7 +130,7 @@ TEST_CASE("The step that the message names holds", "[physics]") {
     for (const auto method : limited_methods())
         for (const auto precision : precisions) {
             Scene scene = flag(method, precision);
-            if (method == method_id<ForwardEuler>) scene.springs.drag = 0.1;  // a step worth taking
+            if (method == method_id<ForwardEuler>) scene.springs->drag = 0.1;  // a step worth taking
             scene.time.dt = 2.0 * std::max(limit_of(scene), limit_of(flag(method_id<SemiImplicitEuler>, precision)));
             Simulation simulation(scene);
             const auto divergence = run_until_divergence(simulation, 600);
@@ -186,11 +186,11 @@ TEST_CASE("Less damping, a smaller automatic step", "[physics]") {
     for (const double drag : {1e-2, 1e-3, 1e-4, 1e-5, 0.0}) {
         Scene scene = flag(method_id<Leapfrog>, Precision::double_precision);
         scene.wind().reset();
-        scene.springs.damping.reset();
+        scene.springs->damping.reset();
         if (drag > 0.0)
-            scene.springs.drag = drag;
+            scene.springs->drag = drag;
         else
-            scene.springs.drag.reset();
+            scene.springs->drag.reset();
         const Simulation simulation(scene);
         const double share = simulation.dt() / simulation.stability_limit().seconds();
         CHECK(share < before);
@@ -259,7 +259,7 @@ TEST_CASE("Forward Euler without drag or friction: auto says which damping is ne
           "[physics]") {
     for (const auto precision : precisions) {
         Scene scene = flag(method_id<ForwardEuler>, precision);
-        scene.springs.drag.reset();
+        scene.springs->drag.reset();
         scene.wind().reset();
         std::string message;
         try {
@@ -276,7 +276,7 @@ TEST_CASE("Forward Euler without drag or friction: auto says which damping is ne
         const auto place = message.find(before);
         REQUIRE(place != std::string::npos);
         const double needed = std::stod(message.substr(place + before.size()));
-        scene.springs.friction = 1.1 * needed;
+        scene.springs->friction = 1.1 * needed;
         Simulation simulation(scene);
         CHECK(simulation.stability_limit().is_finite());
         CHECK_FALSE(run_until_divergence(simulation, 120));
@@ -318,16 +318,16 @@ TEST_CASE("No finite setting, however extreme, shows a value that is not finite"
              s.wind()->gusts = {1e6, 1e6, 1e6};
              s.wind()->travelling = true;
          }},
-        {"stiffness 1e8", [](Scene& s) { s.springs.stiffness = 1e8; }},
-        {"stiffness 1e8 at a numeric step", [](Scene& s) { s.springs.stiffness = 1e8, s.time.dt = 1e-3; }},
+        {"stiffness 1e8", [](Scene& s) { s.springs->stiffness = 1e8; }},
+        {"stiffness 1e8 at a numeric step", [](Scene& s) { s.springs->stiffness = 1e8, s.time.dt = 1e-3; }},
         {"a step a million times too large", [](Scene& s) { s.time.dt = 1e3; }},
-        {"a mass of 1e-9 kg", [](Scene& s) { s.springs.mass = 1e-9, s.time.dt = 1e-3; }},
+        {"a mass of 1e-9 kg", [](Scene& s) { s.springs->mass = 1e-9, s.time.dt = 1e-3; }},
         {"gravity of 1e6 m/s2",
          [](Scene& s) {
              s.gravity()->acceleration = {0.0, -1e6, 0.0};
          }},
-        {"drag beyond its own limit", [](Scene& s) { s.springs.drag = 10.0, s.time.dt = 1.0 / 60.0; }},
-        {"damping beyond its own limit", [](Scene& s) { s.springs.damping = 10.0, s.time.dt = 1.0 / 60.0; }},
+        {"drag beyond its own limit", [](Scene& s) { s.springs->drag = 10.0, s.time.dt = 1.0 / 60.0; }},
+        {"damping beyond its own limit", [](Scene& s) { s.springs->damping = 10.0, s.time.dt = 1.0 / 60.0; }},
         {"everything held", [](Scene& s) { s.flag.attach = Attach::all; }},
         {"nothing held", [](Scene& s) { s.flag.attach = Attach::none; }},
         {"two masses", [](Scene& s) { s.flag.columns = 2, s.flag.rows = 1; }},

@@ -197,7 +197,7 @@ TEST_CASE("Masses that float does not move at all are not called exact", "[physi
     // 1 mm/s at 100 m: steps of 1 ms are a quarter of float's unit there.
     Scene scene = cloth();
     scene.flag.attach = Attach::none;
-    scene.gravity().reset(), scene.wind().reset(), scene.springs.drag.reset();
+    scene.gravity().reset(), scene.wind().reset(), scene.springs->drag.reset();
     const Model model = model_of(scene);
     ErrorWindow window{State<double>(9, 6)};
     for (int j = 0; j < 6; ++j)
@@ -210,7 +210,7 @@ TEST_CASE("Masses that float does not move at all are not called exact", "[physi
         CHECK_FALSE(measure_error(model, method, single, window, 1e-3).resolved());
     }
     // At rest there is no error, but for the rounding of rest lengths.
-    scene.springs.drag = 0.01;
+    scene.springs->drag = 0.01;
     const Model braked = model_of(scene);
     for (int j = 0; j < 6; ++j)
         for (int i = 0; i < 9; ++i) {

@@ -77,7 +77,7 @@ TEST_CASE("Whatever moment a run is looked at, its values are finite", "[extreme
             // Far less than a batch, and one step a batch.
             for (const double mass : {1e-9, 0.1}) {
                 Scene scene = sheet(method_id<SemiImplicitEuler>, precision);
-                scene.springs.mass = mass;
+                scene.springs->mass = mass;
                 scene.gravity().emplace();
                 const double limit = stable_step(scene.time.method, model_of(scene)).seconds();
                 scene.time.dt = excess * limit;
@@ -99,11 +99,11 @@ TEST_CASE("Drag past its limit brings in no energy: a run it throws to and fro d
     // v changes by the factor 1 - b a step: b = 2.1 lets it grow by a tenth.
     for (const bool windy : {false, true}) {
         Scene scene = sheet(method_id<ForwardEuler>);
-        scene.springs.mass = 10.0, scene.springs.stiffness = 1e-3, scene.springs.diagonal_stiffness.reset();
-        scene.springs.drag = 1e4;
+        scene.springs->mass = 10.0, scene.springs->stiffness = 1e-3, scene.springs->diagonal_stiffness.reset();
+        scene.springs->drag = 1e4;
         scene.gravity().emplace();
         if (windy) scene.wind().emplace().velocity = {5.0, 0.0, 1.0};
-        scene.time.dt = 2.1 * scene.springs.mass / *scene.springs.drag;
+        scene.time.dt = 2.1 * scene.springs->mass / *scene.springs->drag;
         Simulation simulation(scene);
         simulation.use_exact_dt();
         auto divergence = simulation.advance_steps(1000);
@@ -135,8 +135,8 @@ TEST_CASE("An automatic step that a short run shows to be too large is answered 
 TEST_CASE("However strong its dampers, xpbd keeps its automatic step", "[extremes]") {
     // What such dampers take in the midst of a step is unknown at its end: far too much would be counted.
     Scene scene = sheet(method_id<Xpbd>);
-    scene.springs.damping = 1e5;
-    scene.springs.drag = 0.04;
+    scene.springs->damping = 1e5;
+    scene.springs->drag = 0.04;
     scene.gravity().emplace();
     scene.wind().emplace().velocity = {3.0, 0.0, 0.6};
     Simulation simulation(scene);
@@ -151,8 +151,8 @@ TEST_CASE("Where steps are too short to move a mass, its fall is not called crea
     for (const double friction : {0.0, 1e6}) {
         Scene scene = sheet(method_id<ForwardEuler>);
         scene.flag.height = 5.0;
-        scene.springs.damping = 0.05;
-        if (friction > 0.0) scene.springs.friction = friction;
+        scene.springs->damping = 0.05;
+        if (friction > 0.0) scene.springs->friction = friction;
         scene.gravity().emplace().acceleration = {0.0, friction > 0.0 ? -9.8 : -1e-6, 0.0};
         scene.time.dt = friction > 0.0 ? 1e-9 : 1e-7;
         Simulation simulation(scene);
@@ -165,11 +165,11 @@ TEST_CASE("Where steps are too short to move a mass, its fall is not called crea
 TEST_CASE("An automatic step of leapfrog does not let drag throw velocities to and fro", "[extremes]") {
     Scene scene = sheet(method_id<Leapfrog>);
     scene.flag.prestretch = 0.5;
-    scene.springs.stiffness = 1e-3, scene.springs.diagonal_stiffness.reset();
-    scene.springs.drag = 10.0;
+    scene.springs->stiffness = 1e-3, scene.springs->diagonal_stiffness.reset();
+    scene.springs->drag = 10.0;
     scene.wind().emplace().velocity = {2.0, 0.0, 0.4};
     Simulation simulation(scene);
-    CHECK(simulation.dt() * *scene.springs.drag <= scene.springs.mass * (1.0 + 1e-9));
+    CHECK(simulation.dt() * *scene.springs->drag <= scene.springs->mass * (1.0 + 1e-9));
     for (int n = 0; n < 10; ++n) REQUIRE_FALSE(simulation.advance_batch());
     CHECK_FALSE(simulation.check());
     // Drag holds the loose cloth: it goes with the wind.
@@ -200,9 +200,9 @@ TEST_CASE("An automatic step that no machine can follow is refused, and the flag
     Simulation flying(scene);
     flying.advance_batch();
     const auto hash = flying.state_hash();
-    scene.springs.mass = 1e-9, scene.springs.stiffness = 1e9;
-    scene.springs.diagonal_stiffness.reset();
-    scene.springs.damping = 1e3;  // limit about m/(8 c) = 10^-13 s
+    scene.springs->mass = 1e-9, scene.springs->stiffness = 1e9;
+    scene.springs->diagonal_stiffness.reset();
+    scene.springs->damping = 1e3;  // limit about m/(8 c) = 10^-13 s
     CHECK_THROWS_WITH(Simulation(scene), ContainsSubstring("is the least"));
     CHECK_THROWS_AS(flying.change(scene), InputError);
     CHECK(flying.state_hash() == hash);
@@ -213,7 +213,7 @@ TEST_CASE("Explaining a divergence costs no more than a second or so, however sh
     // A few thousand of the shortest steps: what a second of work allows is some hundred thousand; a batch has
     // millions.
     Scene scene = sheet(method_id<SemiImplicitEuler>);
-    scene.springs.mass = 1e-9, scene.springs.stiffness = 1e8, scene.springs.diagonal_stiffness.reset();
+    scene.springs->mass = 1e-9, scene.springs->stiffness = 1e8, scene.springs->diagonal_stiffness.reset();
     scene.gravity().emplace().acceleration = {0.0, -1e4, 0.0};
     scene.flag.start = Start::crumpled;
     scene.time.dt = 1.2 * stable_step(scene.time.method, model_of(scene)).seconds();

@@ -43,7 +43,7 @@ Scene scene_of(std::uint64_t seed) {
     const Attach attachments[] = {Attach::hoist,  Attach::hoist, Attach::grommets, Attach::top,
                                   Attach::corner, Attach::edges, Attach::none};
     flag.attach = attachments[draw.one_of(7)];
-    SpringSettings& springs = scene.springs;
+    SpringSettings& springs = *scene.springs;
     springs.mass = draw.decades(5e-5, 1e-3), springs.stiffness = draw.decades(30.0, 2000.0);
     const double diagonals[] = {0.0, 0.2, 0.5, 1.0};
     if (const double share = diagonals[draw.one_of(4)]; share > 0.0)
@@ -101,7 +101,7 @@ bool is_called_diverged(const Scene& scene) {
 
 /// Energies below this tell nothing: a millionth of what springs hold when stretched by a tenth.
 double floor_of(const Scene& scene) {
-    return 1e-6 * 0.5 * scene.springs.stiffness * std::pow(0.1 * 0.05, 2) * 2.0 * scene.flag.columns * scene.flag.rows;
+    return 1e-6 * 0.5 * scene.springs->stiffness * std::pow(0.1 * 0.05, 2) * 2.0 * scene.flag.columns * scene.flag.rows;
 }
 
 }  // namespace
@@ -165,8 +165,8 @@ TEST_CASE("A few steps a batch, and steps that do not fill one, are judged as fa
                 scene.flag.columns = scene.flag.rows = 9;
                 scene.flag.width = scene.flag.height = 0.4;
                 scene.flag.attach = attach;
-                scene.springs.mass = 0.006, scene.springs.stiffness = stiffness;
-                scene.springs.diagonal_stiffness = 0.5 * stiffness, scene.springs.damping = 0.003;
+                scene.springs->mass = 0.006, scene.springs->stiffness = stiffness;
+                scene.springs->diagonal_stiffness = 0.5 * stiffness, scene.springs->damping = 0.003;
                 scene.gravity().emplace();
                 scene.time.method = method;
                 const double limit = stable_step(method, model_of(scene)).seconds();
@@ -185,13 +185,13 @@ TEST_CASE("A few steps a batch, and steps that do not fill one, are judged as fa
 TEST_CASE("Energy that rk4 loses near its limit is seen, and called lost", "[physics][ledger]") {
     // A mode loses y^6/72 of its energy a step, y = omega dt: half of it after 50/y^6 steps.
     Scene scene = read_scene(find_scene("spring"));
-    scene.springs.damping.reset(), scene.springs.drag.reset(), scene.springs.friction.reset();
+    scene.springs->damping.reset(), scene.springs->drag.reset(), scene.springs->friction.reset();
     scene.gravity().reset();
     scene.flag.prestretch = 0.05;
-    scene.springs.mass = 1e-3, scene.springs.stiffness = 500.0;
+    scene.springs->mass = 1e-3, scene.springs->stiffness = 500.0;
     scene.time.method = method_id<Rk4>;
     scene.time.precision = Precision::double_precision;
-    const double omega = std::sqrt(scene.springs.stiffness / scene.springs.mass);
+    const double omega = std::sqrt(scene.springs->stiffness / scene.springs->mass);
     scene.time.dt = whole_steps_per_batch(0.6 / omega);
     const double y = omega * *scene.time.dt;
     const auto loses_half = std::llround(std::log(2.0) * 72.0 / std::pow(y, 6));
@@ -298,10 +298,10 @@ TEST_CASE("No change that the window can make while a flag flies leaves it garba
         {"size by 0.7", [](Scene& s) { s.flag.width *= 0.7, s.flag.height *= 0.7; }},
         {"size by 1.5", [](Scene& s) { s.flag.width *= 1.5, s.flag.height *= 1.5; }},
         {"another grid", [](Scene& s) { s.flag.columns = 29, s.flag.rows = 9; }},
-        {"ten times as stiff", [](Scene& s) { s.springs.stiffness *= 10.0, *s.springs.diagonal_stiffness *= 10.0; }},
-        {"a tenth as heavy", [](Scene& s) { s.springs.mass *= 0.1; }},
-        {"no diagonals", [](Scene& s) { s.springs.diagonal_stiffness.reset(); }},
-        {"no damping", [](Scene& s) { s.springs.damping.reset(); }},
+        {"ten times as stiff", [](Scene& s) { s.springs->stiffness *= 10.0, *s.springs->diagonal_stiffness *= 10.0; }},
+        {"a tenth as heavy", [](Scene& s) { s.springs->mass *= 0.1; }},
+        {"no diagonals", [](Scene& s) { s.springs->diagonal_stiffness.reset(); }},
+        {"no damping", [](Scene& s) { s.springs->damping.reset(); }},
         {"three times the wind", [](Scene& s) { s.wind()->velocity *= 3.0; }},
         {"travelling gusts", [](Scene& s) { s.wind()->travelling = true; }},
         {"ten times the gravity", [](Scene& s) { s.gravity()->acceleration *= 10.0; }},
@@ -317,7 +317,7 @@ TEST_CASE("No change that the window can make while a flag flies leaves it garba
         INFO(change.name);
         Scene scene = read_scene(find_scene("report"));
         scene.flag.columns = 20, scene.flag.rows = 14;
-        scene.springs.mass *= 5.0;
+        scene.springs->mass *= 5.0;
         const auto fly = [&](double share_of_automatic) {
             Simulation simulation(scene);
             for (int n = 0; n < 30; ++n) REQUIRE_FALSE(simulation.advance_batch());
@@ -347,7 +347,7 @@ TEST_CASE("A long quiet run adds up no false alarm", "[physics][ledger]") {
     for (const auto precision : {Precision::single_precision, Precision::double_precision}) {
         Scene scene = read_scene(find_scene("report"));
         scene.flag.columns = 12, scene.flag.rows = 8;
-        scene.springs.mass *= 16.0;
+        scene.springs->mass *= 16.0;
         scene.time.precision = precision;
         Simulation simulation(scene);
         for (int n = 0; n < 60 * 300 / every; ++n) REQUIRE_FALSE(simulation.advance_batch());

@@ -97,7 +97,7 @@ TEST_CASE("errors measured beside the flag are those of the methods' closed moti
     const MeasuredTrade& trade = *found.trade;
     CHECK(trade.seconds == Approx(span));
     CHECK(trade.since == Approx(2.0));
-    const double w = std::sqrt(scene.springs.stiffness / scene.springs.mass);
+    const double w = std::sqrt(scene.springs->stiffness / scene.springs->mass);
     constexpr double amplitude = 0.1;  // m: nothing else pulls
     int compared = 0;
     for (const Measured& point : trade.points) {
@@ -118,7 +118,7 @@ TEST_CASE("errors measured beside the flag are those of the methods' closed moti
 
 TEST_CASE("what a part costs and matters is found beside the flag") {
     Scene scene = oscillator();
-    scene.springs.drag = 0.002;
+    scene.springs->drag = 0.002;
     const MeasuredScene found = measured(Measuring::Subject::prices, scene);
     CHECK(found.trouble == "");
     REQUIRE(found.prices);
@@ -132,7 +132,7 @@ TEST_CASE("what a part costs and matters is found beside the flag") {
         // Both motions begin with what the drag left after two seconds. Without it x = e + B cos(w t + p) goes on for
         // ever; with it, B exp(-g t) with g = d/2m, at almost the same frequency: they part by at most
         // B (1 - exp(-g T)) and the phase (w - w') T B, and by no more than twice that anywhere.
-        const double m = scene.springs.mass, w = std::sqrt(scene.springs.stiffness / m), g = 0.5 * 0.002 / m;
+        const double m = scene.springs->mass, w = std::sqrt(scene.springs->stiffness / m), g = 0.5 * 0.002 / m;
         const double left = 0.1 * std::exp(-g * prices.since), seconds = prices.seconds;
         const double most = left * (1.0 - std::exp(-g * seconds)) + left * (w - std::sqrt(w * w - g * g)) * seconds;
         CHECK(priced.effect.apart.at_end <= 1.01 * most + left * g / w);
@@ -218,7 +218,7 @@ TEST_CASE("an accuracy is met by the cheapest setting measured that has it") {
         CHECK(answer_for(*none.instead, scene, findings).is_good);
     }
     SECTION("of another scene nothing is known") {
-        scene.springs.stiffness = 20.0;
+        scene.springs->stiffness = 20.0;
         CHECK(settings_for(100e-3, scene, findings).method == scene.time.method);
         CHECK(mentions(answer_for(100e-3, scene, findings).text, "has changed"));
     }
@@ -265,25 +265,25 @@ Findings priced(const Scene& scene) {
 
 TEST_CASE("parts are switched off and on again in any order") {
     Scene given = oscillator();
-    given.springs.drag = 0.002;
-    given.springs.damping = 0.01;
+    given.springs->drag = 0.002;
+    given.springs->damping = 0.01;
     given.wind().emplace();
     Findings findings = priced(given);
     Scene scene = given;
     CHECK(are_of(findings, scene));
     leave_out("springs.damping", true, scene, findings);
-    CHECK_FALSE(scene.springs.damping);
+    CHECK_FALSE(scene.springs->damping);
     CHECK(are_of(findings, scene));
     CHECK_FALSE(are_of(findings, given));
     CHECK(findings.missing.empty());
     // Nothing would feel the wind.
     leave_out("springs.drag", true, scene, findings);
-    CHECK_FALSE(scene.springs.drag);
+    CHECK_FALSE(scene.springs->drag);
     CHECK_FALSE(scene.wind());
     CHECK(findings.missing.contains("wind"));
     CHECK_FALSE(findings.missing.contains("springs.damping"));
     leave_out("springs.damping", false, scene, findings);
-    CHECK(scene.springs.damping == 0.01);
+    CHECK(scene.springs->damping == 0.01);
     SECTION("a method chosen meanwhile stays") {
         scene.time.method = method_id<Rk4>;
         CHECK(are_of(findings, scene));
@@ -318,7 +318,7 @@ TEST_CASE("double precision and a tolerance are switched off and on like other p
 
 TEST_CASE("settings that the run refused leave no part switched off") {
     Scene given = oscillator();
-    given.springs.drag = 0.002;
+    given.springs->drag = 0.002;
     Findings findings = priced(given);
     Scene scene = given;
     leave_out("springs.drag", true, scene, findings);
@@ -327,7 +327,7 @@ TEST_CASE("settings that the run refused leave no part switched off") {
     hear_of_scene(findings, given);
     CHECK(findings.left_out.empty());
     Scene other = given;
-    other.springs.mass *= 2.0;
+    other.springs->mass *= 2.0;
     leave_out("springs.drag", true, scene, findings);
     hear_of_scene(findings, other);
     CHECK(findings.left_out.size() == 1);

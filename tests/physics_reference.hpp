@@ -75,10 +75,12 @@ public:
                 const bool along_border =
                     (on_side(a) && on_side(b) && across == 0) || (on_end(a) && on_end(b) && down == 0);
                 const double share = along_border ? 0.5 : 1.0;
+                const double stiffer = down == 1 ? model.springs.along_hoist : 1.0;
                 if (across + down == 1)
-                    springs_.push_back({a, b, share * model.springs.stiffness, rest, share * c});
+                    springs_.push_back({a, b, share * stiffer * model.springs.stiffness, rest, share * stiffer * c});
                 else if (across == 1 && down == 1 && model.springs.diagonal_stiffness)
-                    springs_.push_back({a, b, *model.springs.diagonal_stiffness, rest, c});
+                    springs_.push_back(
+                        {a, b, *model.springs.diagonal_stiffness, rest, model.springs.diagonal_damping * c});
             }
         if (const auto& term = model.terms.get<Gravity>()) gravity_ = term->acceleration;
         if (const auto& term = model.terms.get<AirDrag>()) drag_ = term->d;

@@ -151,7 +151,7 @@ TEST_CASE("An automatic step that float cannot honour is taken in double, and th
     // Friction so strong that masses creep.
     Scene creeping = falling(1e-4);
     creeping.time.dt.reset();
-    creeping.springs.friction = 10.0;
+    creeping.springs->friction = 10.0;
     CHECK(Simulation(creeping).precision() == Precision::double_precision);
 
     // A change in flight both ways.
@@ -203,7 +203,7 @@ TEST_CASE("A flat flag leaves its plane unless it is told not to", "[physics]") 
     // Wind along the fly, in the plane: the flag droops where it would else stand out for ever.
     Scene scene = read_scene(find_scene("report"));
     scene.flag.columns = 16, scene.flag.rows = 11;
-    scene.springs.mass *= 8.0, *scene.springs.drag *= 8.0;
+    scene.springs->mass *= 8.0, *scene.springs->drag *= 8.0;
     scene.wind()->velocity = {2.0, 0.0, 0.0}, scene.wind()->gusts = {};
     const auto fly = [&](std::optional<double> disturbance) {
         scene.flag.disturbance = disturbance;
@@ -242,7 +242,7 @@ TEST_CASE("A flag that has flown far away is taken on in double") {
     Scene scene = falling(1e-4);
     scene.flag.columns = scene.flag.rows = 4;
     scene.time.dt.reset();
-    scene.springs.mass = 0.01, scene.springs.drag = 0.01, scene.springs.stiffness = 2e5;
+    scene.springs->mass = 0.01, scene.springs->drag = 0.01, scene.springs->stiffness = 2e5;
     scene.wind().emplace();
     scene.wind()->velocity = {3000.0, 0.0, 0.0};
     Simulation simulation(scene);

@@ -23,7 +23,7 @@ struct MassOnSpring {
         scene.flag.columns = 1, scene.flag.rows = 2, scene.flag.height = 1.0;
         scene.flag.attach = Attach::corner;
         scene.flag.prestretch = amplitude;
-        scene.springs.mass = mass, scene.springs.stiffness = stiffness;
+        scene.springs->mass = mass, scene.springs->stiffness = stiffness;
         scene.time.precision = Precision::double_precision;
         scene.time.dt = dt;
         return scene;
@@ -49,8 +49,8 @@ ReferenceRun::Gap gap_after(Simulation& run, ReferenceRun& reference, int batche
 Scene flag_in_wind() {
     Scene scene;
     scene.flag.columns = 9, scene.flag.rows = 6;
-    scene.springs.mass = 0.001, scene.springs.stiffness = 50.0, scene.springs.diagonal_stiffness = 20.0;
-    scene.springs.damping = 0.002, scene.springs.drag = 0.003;
+    scene.springs->mass = 0.001, scene.springs->stiffness = 50.0, scene.springs->diagonal_stiffness = 20.0;
+    scene.springs->damping = 0.002, scene.springs->drag = 0.003;
     scene.gravity() = Gravity{};
     scene.wind() = Wind{.velocity = {4.0, 0.0, 1.0}, .gusts = {1.0, 0.5, 1.0}};
     return scene;

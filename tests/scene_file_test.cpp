@@ -87,9 +87,18 @@ public:
                          .damping = {},
                          .drag = positive(1e-9, 1e6),
                          .friction = {}};
-        if (coin()) scene.springs.diagonal_stiffness = positive(1e-9, 1e9);
-        if (coin()) scene.springs.damping = coin() ? 0.0 : positive(1e-9, 1e6);
-        if (coin()) scene.springs.friction = positive(1e-9, 1e6);
+        if (coin()) scene.springs->diagonal_stiffness = positive(1e-9, 1e9);
+        if (scene.flag.columns > 1 && coin()) {
+            scene.springs.reset();
+            scene.fabric = fabric_of(static_cast<FabricName>(whole(0, 4)));
+            if (coin()) scene.fabric->density = positive(1e-6, 1e6);
+            if (coin()) scene.fabric->stretch_modulus = positive(1e-9, 1e9);
+            if (coin()) scene.fabric->damping_time = coin() ? 0.0 : positive(1e-6, 1e3);
+            scene.fabric->drag_per_area = positive(1e-6, 1e6);
+            scene.fabric->diagonal_share.reset();  // cells may be of any length
+        }
+        if (scene.springs && coin()) scene.springs->damping = coin() ? 0.0 : positive(1e-9, 1e6);
+        if (scene.springs && coin()) scene.springs->friction = positive(1e-9, 1e6);
         if (coin()) scene.gravity() = Gravity{three(-1e4, 1e4)};
         if (coin())
             scene.terms.add(Air{positive(1e-3, 1e3), coin() ? std::optional(number(0.0, 100.0)) : std::nullopt,
@@ -98,7 +107,7 @@ public:
         if (coin()) {
             scene.wind() = Wind{three(-1e6, 1e6), three(0.0, 1e6), positive(1e-3, 1e6), coin(), random_() >> 1};
         } else if (coin()) {
-            scene.springs.drag.reset();
+            scene.drag().reset();
         }
         scene.time.method = static_cast<Method>(whole(0, static_cast<int>(method_count) - 1));
         scene.time.precision = static_cast<Precision>(whole(0, 1));
@@ -167,7 +176,7 @@ TEST_CASE("a written scene comments every key") {
     Scene scene;
     scene.gravity().emplace();
     scene.wind().emplace();
-    scene.springs.drag = 0.001;
+    scene.springs->drag = 0.001;
     std::istringstream lines(write_scene(scene));
     for (std::string line; std::getline(lines, line);) {
         if (has(line, " = ")) CHECK(has(line, "# "));
@@ -178,16 +187,16 @@ TEST_CASE("what a scene does not list is not modelled, and the rest has its docu
     const Scene scene = parse_scene(springs, "some/where/little.toml");
     CHECK(scene.name == "little");
     CHECK(scene.flag == FlagSettings{});
-    CHECK(scene.springs.mass == 0.1);
-    CHECK_FALSE(scene.springs.diagonal_stiffness);
-    CHECK_FALSE(scene.springs.damping);
-    CHECK_FALSE(scene.springs.drag);
+    CHECK(scene.springs->mass == 0.1);
+    CHECK_FALSE(scene.springs->diagonal_stiffness);
+    CHECK_FALSE(scene.springs->damping);
+    CHECK_FALSE(scene.springs->drag);
     CHECK_FALSE(scene.gravity());
     CHECK_FALSE(scene.wind());
     CHECK_FALSE(scene.limits.get<StretchLimit>());
     CHECK_FALSE(scene.time.dt);
     CHECK(parse_scene(springs + "[gravity]\n", "x").gravity()->acceleration == glm::dvec3(0.0, -9.8, 0.0));
-    CHECK(parse_scene(springs + "damping = 0\n", "x").springs.damping == 0.0);
+    CHECK(parse_scene(springs + "damping = 0\n", "x").springs->damping == 0.0);
 }
 
 TEST_CASE("every key of the format is read") {
@@ -322,7 +331,7 @@ TEST_CASE("an unknown key or table is named, with what may have been meant") {
 }
 
 TEST_CASE("what the format reserves for later is refused as not available") {
-    for (const std::string table : {"fabric", "bending", "ground", "pole"}) {
+    for (const std::string table : {"bending", "ground", "pole"}) {
         const std::string message = message_of(springs + "[" + table + "]\n");
         INFO(message);
         CHECK(message.starts_with("storm.toml:4: [" + table + "]: not available in this version"));
@@ -335,11 +344,53 @@ TEST_CASE("an image that is text is no scene, and the message says where it goes
 }
 
 TEST_CASE("a scene has exactly one material") {
-    CHECK(has(message_of("[flag]\ncolumns = 3\n"), "storm.toml: [springs] is missing"));
+    CHECK(message_of("[flag]\ncolumns = 3\n") == "storm.toml:1: the material is missing: [springs] or [fabric]");
     CHECK(has(message_of("[springs]\nstiffness = 1\n"), "storm.toml:1: springs.mass is missing"));
     CHECK(has(message_of("[springs]\nmass = 1\n"), "storm.toml:1: springs.stiffness is missing"));
-    CHECK(has(message_of(springs + "[fabric]\ndensity = 1\n"), "storm.toml:4: [fabric]"));
-    CHECK(has(message_of("[fabric]\ndensity = 1\n"), "[springs]"));
+    CHECK(has(message_of(springs + "[fabric]\ndensity = 1\n"),
+              "storm.toml:4: fabric: the material is given by [springs]"));
+    CHECK_NOTHROW(parse_scene("[fabric]\n", "storm.toml"));
+}
+
+TEST_CASE("a fabric has the values of its name but where others are given") {
+    const auto fabric_in = [](const std::string& keys) {
+        return *parse_scene("[fabric]\n" + keys, "storm.toml").fabric;
+    };
+    CHECK(fabric_in("") == fabric_of(FabricName::knitted_polyester));
+    CHECK(Fabric{} == fabric_of(FabricName::knitted_polyester));
+    Fabric silk = fabric_of(FabricName::silk);
+    CHECK(fabric_in("name = \"silk\"\n") == silk);
+    CHECK(silk.density != Fabric{}.density);
+    silk.density = 0.05;
+    silk.diagonal_share.reset();
+    CHECK(fabric_in("density = 0.05\nname = \"silk\"\ndiagonal_share = \"off\"\n") == silk);
+
+    // A file says only what the name does not, so that another name brings all its values.
+    Scene scene = parse_scene("[fabric]\nname = \"silk\"\ndrag_per_area = 0.5\n", "storm.toml");
+    const std::string text = write_scene(scene);
+    CHECK_FALSE(has(text, "density"));
+    CHECK(has(text, "drag_per_area = 0.5"));
+    const auto canvas = parse_scene(text, "storm.toml", std::vector{assignment_in("fabric.name=canvas")});
+    CHECK(canvas.fabric->density == fabric_of(FabricName::canvas).density);
+    CHECK(canvas.fabric->drag_per_area == 0.5);
+}
+
+TEST_CASE("cells that springs of the fabric cannot have are refused, with the nearest grid that works") {
+    // At a share of 1/2 cells are less than sqrt(3) times as long as wide. 2 m x 1 m: 21 columns and 11 rows are
+    // square.
+    const auto message = [](int columns, int rows, const std::string& share) {
+        return message_of("[flag]\nwidth = 2\nheight = 1\ncolumns = " + std::to_string(columns) +
+                          "\nrows = " + std::to_string(rows) + "\n[fabric]\ndiagonal_share = " + share + "\n");
+    };
+    CHECK(message(21, 11, "0.5").empty());
+    CHECK(message(21, 7, "0.5").empty());  // 0.1 x 0.167
+    CHECK(has(message(21, 6, "0.5"), "storm.toml:7: fabric.diagonal_share = 0.5: "));
+    CHECK(has(message(21, 6, "0.5"), "1.73 times"));
+    CHECK(has(message(21, 6, "0.5"), "18 x 6"));  // 17 cells for 20: less of a change than 6 rows of cells for 5
+    CHECK(has(message(60, 11, "0.5"), "35 x 11"));
+    CHECK(message(400, 2, "\"off\"").empty());
+    CHECK(has(message(2, 1, "0.1"), "flag.rows = 1: a fabric has two rows"));
+    CHECK(has(message(1, 2, "0.1"), "flag.columns = 1: a fabric has two rows"));
 }
 
 TEST_CASE("wind that nothing feels is an error") {
@@ -401,7 +452,7 @@ TEST_CASE("a file that is no scene is refused in one line") {
         {folder.path / "missing.toml", "No such file"},
         {folder.path, "folder"},
         {folder.write("empty.toml", ""), "empty"},
-        {folder.write("comment.toml", "# nothing\n"), "[springs] is missing"},
+        {folder.write("comment.toml", "# nothing\n"), "the material is missing"},
         {folder.write("noise.toml", noise), "not a text file"},
         {folder.write("zeros.toml", std::string(100, '\0')), "not a text file"},
         {folder.write("latin.toml", "name = \"\xE9t\xE9\"\n" + springs), "line 1: byte 0xE9, probably Latin-1"},
@@ -453,7 +504,7 @@ TEST_CASE("values that controls make are checked as those of files are") {
     scene.flag.columns = 0;
     CHECK(message_of_scene(scene) == "flag.columns = 0: a whole number from 1 to 4096 is allowed");
     scene = {};
-    scene.springs.damping = std::numeric_limits<double>::quiet_NaN();
+    scene.springs->damping = std::numeric_limits<double>::quiet_NaN();
     CHECK(message_of_scene(scene) == "springs.damping = nan: a number from 0 to 1000000 is allowed");
     scene = {};
     scene.name = "two\nlines";
@@ -469,10 +520,11 @@ TEST_CASE("values that controls make are checked as those of files are") {
     CHECK(has(message_of_scene(scene), "flag.attach"));
 }
 
-/// A scene that lists every setting, each of another value than its default.
-Scene unusual_scene() {
+/// A scene that lists every setting of one material, each of another value than its default.
+Scene unusual_scene(bool of_fabric) {
     Scene scene;
-    settings::each_table(scene, [&](const std::string&, auto& settings, const auto& keys, bool) {
+    settings::each_table(scene, [&](const std::string& table, auto& settings, const auto& keys) {
+        if (table == (of_fabric ? "springs" : "fabric")) return;
         if constexpr (requires { settings.has_value(); }) settings.emplace();
         auto& values = *settings::listed(settings);
         settings::each_key(keys, [&](const auto& field) {
@@ -494,12 +546,15 @@ Scene unusual_scene() {
         });
     });
     scene.time.tolerance.reset();  // goes with an automatic step only
+    if (of_fabric) scene.springs.reset();
     return scene;
 }
 
 TEST_CASE("every setting can be assigned as a file says it") {
-    const Scene wanted = unusual_scene();
+    const bool of_fabric = GENERATE(false, true);
+    const Scene wanted = unusual_scene(of_fabric);
     std::vector<Assignment> assignments;
+    if (of_fabric) assignments.push_back(assignment_in("springs=off"));
     std::istringstream file(write_scene(wanted));
     std::string table;
     for (std::string line; std::getline(file, line);) {
@@ -529,7 +584,7 @@ TEST_CASE("an assignment may be said as people say it, and is refused as in a fi
     CHECK(assigned({"wind=on"}).wind() == Wind{});
     CHECK(assigned({"wind=on", "wind=off"}).wind() == std::nullopt);
     CHECK(assigned({"gravity=off"}).gravity() == std::nullopt);
-    CHECK(assigned({"springs.drag=off"}).springs.drag == std::nullopt);
+    CHECK(assigned({"springs.drag=off"}).springs->drag == std::nullopt);
     CHECK(assigned({"air=on", "air.pressure=off"}).terms.get<Air>() == Air{.pressure = {}});
     CHECK(assigned({"time.dt=0.001", "time.dt=auto"}).time.dt == std::nullopt);
     CHECK(assigned({"view.springs=off", "view.masses=on"}).view.masses);
@@ -545,7 +600,9 @@ TEST_CASE("an assignment may be said as people say it, and is refused as in a fi
     CHECK(has(refused("flg.columns=3"), "unknown table; did you mean flag?"));
     CHECK(has(refused("columns=3"), "--set columns = 3: unknown key; it belongs under [flag]"));
     CHECK(has(refused("time.method=xpbdd"), "--set time.method = \"xpbdd\": \"forward-euler\""));
-    CHECK(has(refused("springs=off"), "--set springs = \"off\": a table is expected"));
+    CHECK(has(refused("springs=off"), "the material is missing"));
+    CHECK(has(refused("springs=none"), "--set springs = \"none\": a table is expected"));
+    CHECK(has(refused("fabric=on"), "--set fabric: fabric: the material is given by [springs] too"));
     CHECK(has(refused("springs.mass=off"), "--set springs.mass = \"off\": a number"));
     CHECK(has(refused("limit=on"), "--set limit: limit.stretch is missing"));
     CHECK(has(refused("flag.columns=9223372036854775808"), "--set flag.columns = 9223372036854775808"));

@@ -18,16 +18,16 @@ Scene chain(int columns, int rows, Attach attach) {
     scene.flag.width = scene.flag.height = 1.5;
     scene.flag.attach = attach;
     scene.flag.start = Start::hanging;
-    scene.springs.mass = 1e-4;
-    scene.springs.stiffness = 200.0;
+    scene.springs->mass = 1e-4;
+    scene.springs->stiffness = 200.0;
     scene.gravity() = Gravity{};
     return scene;
 }
 
 /// How far mass n of a hanging chain is below its first: n L + m g/k (n N - n (n - 1)/2), N masses below the first.
 double depth(const Scene& scene, int count, int n) {
-    const double below = count - 1, weight = scene.springs.mass * 9.8;
-    return 1.5 * n / below + weight / scene.springs.stiffness * (n * below - 0.5 * n * (n - 1.0));
+    const double below = count - 1, weight = scene.springs->mass * 9.8;
+    return 1.5 * n / below + weight / scene.springs->stiffness * (n * below - 0.5 * n * (n - 1.0));
 }
 
 bool same_places(const State<double>& a, const State<double>& b) {
@@ -66,7 +66,7 @@ TEST_CASE("The way a flag hangs does not depend on what only slows it down", "[p
     Scene scene = chain(13, 9, Attach::grommets);
     scene.time.precision = Precision::double_precision;
     const State<double> free = Simulation(scene).state();
-    scene.springs.damping = 0.01, scene.springs.drag = 1.0, scene.springs.friction = 1.0;
+    scene.springs->damping = 0.01, scene.springs->drag = 1.0, scene.springs->friction = 1.0;
     CHECK(same_places(Simulation(scene).state(), free));
 }
 
@@ -91,9 +91,9 @@ TEST_CASE("A flag that cannot move, or that nothing pulls, starts hanging at onc
 
 TEST_CASE("A flag that does not come to rest within the work allowed starts all the same, and says how far from rest") {
     Scene scene = chain(200, 200, Attach::grommets);
-    scene.springs.mass = 1e-5;
-    scene.springs.stiffness = 1000.0;
-    scene.springs.diagonal_stiffness = 500.0;
+    scene.springs->mass = 1e-5;
+    scene.springs->stiffness = 1000.0;
+    scene.springs->diagonal_stiffness = 500.0;
     const double begin = processor_seconds();
     const Simulation simulation(scene);
     const double settling = processor_seconds() - begin;
@@ -102,7 +102,7 @@ TEST_CASE("A flag that does not come to rest within the work allowed starts all 
     // goes with them. Without a bound it would take hundreds of times as long.
     Scene moved = scene;
     moved.flag.start = Start::flat;
-    moved.springs.damping = 0.01;
+    moved.springs->damping = 0.01;
     moved.time.precision = Precision::double_precision;
     Simulation plain(moved);
     const double first = processor_seconds();

@@ -139,7 +139,7 @@ TEST_CASE("Any number of threads gives the bits of one, in the kernels as they a
                 scene.flag.start = Start::crumpled;
                 scene.time.method = method;
                 scene.time.dt = 1e-5;
-                if (!all_terms) scene.springs.diagonal_stiffness.reset(), scene.springs.damping.reset();
+                if (!all_terms) scene.springs->diagonal_stiffness.reset(), scene.springs->damping.reset();
                 Simulation alone(scene);
                 REQUIRE_FALSE(alone.advance_steps(steps));
                 for (const int threads : {2, 3}) {
@@ -200,9 +200,9 @@ TEST_CASE("A change of settings keeps time, place and velocity", "[physics]") {
         const double time = simulation.time();
         const auto steps = simulation.steps();
         Scene changed = small(precision);
-        changed.springs.stiffness = 300.0;
-        changed.springs.damping.reset();
-        changed.springs.diagonal_stiffness.reset();
+        changed.springs->stiffness = 300.0;
+        changed.springs->damping.reset();
+        changed.springs->diagonal_stiffness.reset();
         changed.wind()->velocity = {0.0, 0.0, 5.0};
         changed.time.method = method_id<ForwardEuler>;
         changed.time.dt = 1e-5;
@@ -249,11 +249,11 @@ TEST_CASE("An impossible change is refused and changes nothing", "[physics]") {
     impossible.flag.columns = impossible.flag.rows = 1;
     CHECK_THROWS(simulation.change(impossible));
     impossible = small();
-    impossible.springs.mass = -1.0;
+    impossible.springs->mass = -1.0;
     CHECK_THROWS(simulation.change(impossible));
     impossible = small();
     impossible.time.method = method_id<ForwardEuler>;
-    impossible.springs.drag.reset(), impossible.wind().reset();
+    impossible.springs->drag.reset(), impossible.wind().reset();
     CHECK_THROWS(simulation.change(impossible));
     CHECK(simulation.state_hash() == hash);
     CHECK(simulation.scene() == small());

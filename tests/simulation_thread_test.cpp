@@ -22,8 +22,8 @@ namespace {
 Scene sheet(int columns = 12, int rows = 8) {
     Scene scene;
     scene.flag.columns = columns, scene.flag.rows = rows;
-    scene.springs.damping = 0.002;
-    scene.springs.drag = 0.0002;
+    scene.springs->damping = 0.002;
+    scene.springs->drag = 0.0002;
     scene.gravity() = Gravity{};
     scene.wind() = Wind{.velocity = {5.0, 0.0, 1.0}, .gusts = {1.0, 0.5, 1.0}};
     return scene;
@@ -32,15 +32,15 @@ Scene sheet(int columns = 12, int rows = 8) {
 /// Batches of this one take long enough to be interrupted.
 Scene large() {
     Scene scene = sheet(400, 300);
-    scene.springs.stiffness = 2e5;
+    scene.springs->stiffness = 2e5;
     return scene;
 }
 
 /// One that takes all the work that settling may.
 Scene slow_to_settle() {
     Scene scene = sheet(200, 200);
-    scene.springs.stiffness = 1000.0;
-    scene.springs.mass = 1e-5;
+    scene.springs->stiffness = 1000.0;
+    scene.springs->mass = 1e-5;
     scene.flag.start = Start::hanging;
     return scene;
 }
@@ -179,11 +179,11 @@ TEST_CASE("readings are of the moment itself after a step or a change, and never
 TEST_CASE("springs are drawn with the rest lengths and stiffnesses of the model") {
     Scene scene = sheet(4, 3);
     scene.flag.width = 1.5, scene.flag.height = 1.0;
-    scene.springs.stiffness = 50.0;
+    scene.springs->stiffness = 50.0;
     SimulationThread thread{Simulation(scene)};
     CHECK(newest_of(thread).kinds == SpringKinds{.fly = {0.5f, 50.0f}, .hoist = {0.5f, 50.0f}, .diagonal = {}});
 
-    scene.springs.diagonal_stiffness = 20.0;
+    scene.springs->diagonal_stiffness = 20.0;
     thread.apply(scene, 1);
     const SpringKind diagonal = newest_of(thread).kinds.diagonal;
     CHECK(diagonal.rest == Approx(std::sqrt(0.5)));
@@ -191,7 +191,7 @@ TEST_CASE("springs are drawn with the rest lengths and stiffnesses of the model"
 
     // A chain has no springs across, whatever its width.
     scene.flag.columns = 1;
-    scene.springs.diagonal_stiffness.reset();
+    scene.springs->diagonal_stiffness.reset();
     thread.restart(scene, 2);
     CHECK(newest_of(thread).kinds == SpringKinds{.fly = {}, .hoist = {0.5f, 50.0f}, .diagonal = {}});
 }

@@ -3,6 +3,7 @@
 #include "physics_reference.hpp"
 #include "physics_sheet.hpp"
 #include "run/simulation.hpp"
+#include "sanitized.hpp"
 #include "scene/file.hpp"
 
 using namespace drapeau;
@@ -117,7 +118,7 @@ TEST_CASE("Where implicit Euler leaves most of its steps unsolved, that is said 
     Scene scene = read_scene(find_scene("report"));
     scene.flag.columns = scene.flag.rows = 8;
     scene.time = {method_id<ImplicitEuler>, 1.0 / 60.0, Precision::double_precision};
-    scene.springs.stiffness = 1e9;
+    scene.springs->stiffness = 1e9;
     Simulation simulation(scene);
     const auto after_half_a_second = [&] {
         for (int n = 0; n < 30; ++n) REQUIRE_FALSE(simulation.advance_batch());
@@ -128,12 +129,13 @@ TEST_CASE("Where implicit Euler leaves most of its steps unsolved, that is said 
         return is_said;
     };
     CHECK(after_half_a_second());
-    scene.springs.stiffness = 200.0;
+    scene.springs->stiffness = 200.0;
     simulation.change(scene);
     CHECK_FALSE(after_half_a_second());
 }
 
 TEST_CASE("Implicit Euler takes a thirtieth of a second on every shipped scene", "[physics]") {
+    constexpr int steps = sanitized ? 6 : 60;
     for (const auto& name : {"report", "breeze", "calm", "storm", "banner", "drop", "drum", "spring"}) {
         Scene scene = read_scene(find_scene(name));
         scene.flag.start = Start::flat;  // settling takes its time and is tested elsewhere
@@ -142,14 +144,14 @@ TEST_CASE("Implicit Euler takes a thirtieth of a second on every shipped scene",
         Simulation simulation(scene);
         simulation.use_exact_dt();
         INFO(name);
-        CHECK_FALSE(simulation.advance_steps(60));
+        CHECK_FALSE(simulation.advance_steps(steps));
         CHECK_FALSE(simulation.check());
         const Readings readings = simulation.readings();
         CHECK(std::isfinite(readings.kinetic_energy));
         CHECK(readings.max_stretch < 0.5);  // no explicit method gets anywhere at such a step
         const Solves& solves = simulation.solves();
-        CHECK(solves.steps == 60);
-        CHECK(solves.unsolved <= 6);  // steps in which the cloth snaps over; their residual is reported
+        CHECK(solves.steps == steps);
+        CHECK(solves.unsolved <= steps / 10);  // steps in which the cloth snaps over; their residual is reported
     }
 }
 

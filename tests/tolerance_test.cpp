@@ -168,7 +168,7 @@ TEST_CASE("A tolerance gives the same steps however they are grouped and shared 
     CHECK(single.state_hash() == a.state_hash());
 
     scene.flag.columns = 70, scene.flag.rows = 67;  // enough masses for threads to be worth it
-    scene.springs.mass = 0.01, scene.springs.drag = 0.04;
+    scene.springs->mass = 0.01, scene.springs->drag = 0.04;
     scene.time.tolerance = 2e-3;
     Simulation alone(scene), together(scene);
     together.use_threads(3);
@@ -279,13 +279,13 @@ TEST_CASE("The reason of a step is told", "[accuracy]") {
     Scene scene = gusty(1e-3);
     scene.time.tolerance.reset();
     CHECK(Simulation(scene).step_reason() == "limit: stiffness of the springs");
-    scene.springs.damping = 5.0;
+    scene.springs->damping = 5.0;
     CHECK(Simulation(scene).step_reason() == "limit: damping of the springs");
-    scene.springs.damping = 0.0, scene.springs.drag = 10.0;
+    scene.springs->damping = 0.0, scene.springs->drag = 10.0;
     CHECK(Simulation(scene).step_reason() == "limit: drag and friction");
     scene = gusty(1e-3);
     CHECK(Simulation(scene).step_reason().ends_with(" of 1 mm/s asked"));
-    scene.time.tolerance.reset(), scene.springs.mass = 100.0;
+    scene.time.tolerance.reset(), scene.springs->mass = 100.0;
     CHECK(Simulation(scene).step_reason() == "limit: 1/60 s");
     scene.time.dt = 1e-4;
     CHECK(Simulation(scene).step_reason() == "given");

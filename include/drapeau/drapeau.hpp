@@ -2,4 +2,5 @@
 // stepper, flag.
 #pragma once
 
+#include "drapeau/fabric.hpp"
 #include "drapeau/flag.hpp"

@@ -8,6 +8,7 @@
 #include "drapeau/terms/list.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -43,13 +44,18 @@ inline bool is_attached(Attach attach, const Grid& grid, int i, int j) {
     return false;
 }
 
-/// Masses and springs, every one alike.
+/// Masses and springs: every one of a kind alike, but for what borders are (Borders).
 struct Springs {
     double mass = 0.0001;                      // kg, of every mass
     double stiffness = 200.0;                  // k of structural springs, N/m; larger needs a smaller step
     std::optional<double> diagonal_stiffness;  // k of diagonal springs, N/m; absent: no diagonal springs
     std::optional<double> damping;             // c of every spring, N s/m; larger needs a smaller step; absent: none
+    double along_hoist = 1.0;       // k and c of structural springs along the hoist, over those along the fly
+    double diagonal_damping = 1.0;  // c of diagonal springs, over that of those along the fly
 
+    double stiffest() const {  // N/m
+        return std::max(stiffness * std::max(1.0, along_hoist), diagonal_stiffness.value_or(0.0));
+    }
     bool operator==(const Springs&) const = default;
 };
 
@@ -84,6 +90,11 @@ public:
     int kind(int j) const { return row_[static_cast<std::size_t>(j)]; }
     bool held(int i, int j) const { return at(j).held[i] != 0; }
     double mass(int i, int j) const { return springs.mass * at(j).mass[i]; }  // kg
+    double total_mass() const {                                               // kg
+        double sum = 0.0;
+        for (int j = 0; j < grid.rows; ++j) sum = std::accumulate(at(j).mass.begin(), at(j).mass.end(), sum);
+        return springs.mass * sum;
+    }
 
     bool is_free() const {
         return std::none_of(row_.begin(), row_.end(), [&](int kind) {
@@ -189,14 +200,17 @@ public:
 
     /// The fastest modes that any configuration of these springs can have. No spring's Hessian exceeds k I, folded or
     /// stretched, so the springs resist at most like the graph's Laplacian, whose largest eigenvalue on a grid is
-    /// max(8k, 4k + 8kd), on a chain 4k; dampers likewise. Light borders and held masses do not raise it. What the air
-    /// on faces does is an estimate.
+    /// 4 max(kx + ky, max(kx, ky) + 2kd), on a chain 4k; dampers likewise. Light borders and held masses do not raise
+    /// it. What the air on faces does is an estimate.
     std::vector<Oscillator> bounds() const {
         const double k = springs.stiffness, c = springs.damping.value_or(0.0), m = springs.mass;
+        const double both = 4.0 * (1.0 + springs.along_hoist), one = 4.0 * std::max(1.0, springs.along_hoist);
         const double on_mass = damping_on_mass(1.0), air = damping_of_air();
-        if (grid.columns == 1 || grid.rows == 1) return {{m, 4.0 * k, 4.0 * c, on_mass}};
-        const double kd = springs.diagonal_stiffness.value_or(0.0), cd = has_diagonals() ? c : 0.0;
-        return {{m, 8.0 * k, 8.0 * c, on_mass, air}, {m, 4.0 * k + 8.0 * kd, 4.0 * c + 8.0 * cd, on_mass, air}};
+        if (grid.rows == 1) return {{m, 4.0 * k, 4.0 * c, on_mass}};
+        if (grid.columns == 1) return {{m, 4.0 * springs.along_hoist * k, 4.0 * springs.along_hoist * c, on_mass}};
+        const double kd = springs.diagonal_stiffness.value_or(0.0);
+        const double cd = has_diagonals() ? springs.diagonal_damping * c : 0.0;
+        return {{m, both * k, both * c, on_mass, air}, {m, one * k + 8.0 * kd, one * c + 8.0 * cd, on_mass, air}};
     }
 
 private:

@@ -32,13 +32,14 @@ public:
         const Grid& grid = model.grid;
         const Springs& s = model.springs;
         const double c = s.damping.value_or(0.0), kd = s.diagonal_stiffness.value_or(0.0);
+        const double k_hoist = s.along_hoist * s.stiffness, c_hoist = s.along_hoist * c;
         for (int n = 0; n < static_cast<int>(model.kinds().size()); ++n) {
             const auto& kind = model.kinds()[static_cast<std::size_t>(n)];
             for (int i = 0; i < grid.columns; ++i) {
                 const bool right = i + 1 < grid.columns;
                 set_spring(n, fly_, i, right ? kind.fly[i] : 0.0, s.stiffness, grid.pitch_x, c);
-                set_spring(n, hoist_, i, kind.hoist[i], s.stiffness, grid.pitch_y, c);
-                set_spring(n, diagonal_, i, right ? 1.0 : 0.0, kd, grid.pitch_diagonal(), c);
+                set_spring(n, hoist_, i, kind.hoist[i], k_hoist, grid.pitch_y, c_hoist);
+                set_spring(n, diagonal_, i, right ? 1.0 : 0.0, kd, grid.pitch_diagonal(), s.diagonal_damping * c);
                 const double m = s.mass * kind.mass[i];
                 const bool held = kind.held[i] != 0;
                 const auto set = [&](int which, double value) {

@@ -64,7 +64,7 @@ std::string verdict_text(const GridConvergence& grids) {
                 "Finer grids converge, at order {} only: as where a sudden start or corners make fronts "
                 "sharper than the cells{}. {}.",
                 order_text(grids.order()),
-                grids.is_border_held ? " (borders are held: they are not the cause)"
+                grids.is_border_apt ? " (borders are held or light: they are not the cause)"
                 : std::isfinite(grids.light_order())
                     ? fmt::format(" (borders are not the cause: light ones give order {})",
                                   order_text(grids.light_order()))

@@ -17,9 +17,11 @@ constexpr double long_enough = 0.05;  // s, that a flight lasts, to tell how fas
 /// Below this a lower order is not the grid's own, which is 2.
 constexpr double second_order = 1.7, any_order = 0.5;
 
-/// Whether no mass on a border moves, so that it does not matter how heavy they are.
-bool is_border_held(const Model& model) {
+/// Whether no mass on a border moves, so that it does not matter how heavy they are; or they are as light as they
+/// should be.
+bool is_border_apt(const Model& model) {
     const Grid& grid = model.grid;
+    if (model.mass(0, 0) < model.springs.mass) return true;
     for (int j = 0; j < grid.rows; ++j)
         for (int i = 0; i < grid.columns; ++i) {
             const bool ends_row = grid.columns > 1 && (i == 0 || i == grid.columns - 1);
@@ -71,7 +73,7 @@ GridConvergence::Verdict verdict_on(GridConvergence& found, const std::function<
     if (finest.difference <= found.floor) return Verdict::no_matter;
     if (is_steady(found, growth)) {
         if (finest.order >= second_order) return Verdict::converges;
-        if (!found.is_border_held) try_light();
+        if (!found.is_border_apt) try_light();
         const bool is_better =
             found.light_order() >= finest.order + 0.3 || found.light_difference() <= 0.1 * finest.difference;
         if (is_better) return Verdict::by_borders;
@@ -85,7 +87,7 @@ GridConvergence::Verdict verdict_on(GridConvergence& found, const std::function<
 void conclude(GridConvergence& found, const Model& coarsest, const std::function<void()>& try_light) {
     for (std::size_t n = 2; n < found.levels.size(); ++n)
         found.levels[n].order = std::log2(found.levels[n - 1].difference / found.levels[n].difference);
-    found.is_border_held = is_border_held(coarsest);
+    found.is_border_apt = is_border_apt(coarsest);
     found.floor = floor_of(coarsest.grid, finest_growth(found));
     found.verdict = verdict_on(found, try_light);
 }
@@ -230,7 +232,7 @@ std::optional<GridLevel> converge_at(const GridRequest& request, std::size_t n, 
 
 bool wants_light_borders(const GridRequest& request, std::size_t n) {
     const std::size_t flown = affordable_grids(request);
-    return flown >= 3 && n < flown && n + 2 >= flown && !is_border_held(model_of(coarsest_of(request)));
+    return flown >= 3 && n < flown && n + 2 >= flown && !is_border_apt(model_of(coarsest_of(request)));
 }
 
 double light_difference_at(const GridRequest& request, std::size_t n, const std::function<void()>& tick) {

@@ -51,7 +51,7 @@ struct GridConvergence {
         double seconds;  // that one flight takes, about
     };
     std::vector<LeftOut> left_out;
-    bool is_border_held = false;
+    bool is_border_apt = false;
     double floor = 0.0;  // m, what rounding leaves of a position: no smaller difference is resolved
     Verdict verdict = Verdict::unknown;
 

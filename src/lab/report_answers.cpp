@@ -60,14 +60,15 @@ std::vector<std::string> trade_answers(const Json& found, const Scene&) {
 /// Of the methods that have one, the limit at the scene's own stiffness and damping: the first of each.
 std::vector<std::string> stability_answers(const Json& found, const Scene& scene) {
     if (!found.is_object()) return {};
+    const Springs springs = model_of(scene).springs;
     std::string limits;
     std::vector<std::string> seen;
     for (const Json& limit : found.value("limits", Json::array())) {
         const std::string method = text(limit, "method");
         const double measured = number(limit, "measured_dt");
         if (!std::isfinite(measured) || std::find(seen.begin(), seen.end(), method) != seen.end()) continue;
-        if (!is_same(number(limit, "stiffness"), scene.springs.stiffness) ||
-            !is_same(number(limit, "damping"), scene.springs.damping.value_or(0.0)))
+        if (!is_same(number(limit, "stiffness"), springs.stiffness) ||
+            !is_same(number(limit, "damping"), springs.damping.value_or(0.0)))
             continue;
         seen.push_back(method);
         limits += (limits.empty() ? "" : ", ") + quantity(measured, "s") + " for " + method;

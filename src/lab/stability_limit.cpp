@@ -118,8 +118,8 @@ class Limit {
 public:
     Limit(const Scene& scene, Method method) : model_(model_of(scene)), method_(method) {
         found_.method = method;
-        found_.stiffness = scene.springs.stiffness;
-        found_.damping = scene.springs.damping.value_or(0.0);
+        found_.stiffness = model_.springs.stiffness;
+        found_.damping = model_.springs.damping.value_or(0.0);
     }
 
     StabilityLimit find() {
@@ -144,7 +144,8 @@ private:
     bool is_uneven() const {
         const Springs& s = model_.springs;
         const bool sheet = model_.grid.columns > 1 && model_.grid.rows > 1;
-        return sheet && s.damping.value_or(0.0) > 0.0 && s.diagonal_stiffness && *s.diagonal_stiffness != s.stiffness;
+        return sheet && s.damping.value_or(0.0) > 0.0 && s.diagonal_stiffness &&
+               *s.diagonal_stiffness != s.diagonal_damping * s.stiffness;
     }
 
     double coarsest() const {

@@ -111,6 +111,7 @@ std::string stability_script(const StabilityMap& map) {
     const std::string name = one_line(map.scene.name, 60), unlimited = unlimited_methods(map);
     const Panel stiffness = panel_of(map, false), damping = panel_of(map, true);
     const bool both = !stiffness.points.empty() && !damping.points.empty();
+    const Springs springs = model_of(map.scene).springs;
     std::string script =
         "set grid lc rgb '#e4e4e4' lt 1\nset border 3\nset tics nomirror\nset logscale y\n"
         "set format y '%.0s %cs'\nset ylabel 'largest stable step'\n";
@@ -123,11 +124,11 @@ std::string stability_script(const StabilityMap& map) {
     script += "set key bottom left Left reverse samplen 2 noenhanced\n";
     if (!stiffness.points.empty())
         script += fmt::format("set logscale x\nset format x '%g'\nset xlabel 'stiffness in N/m, damping {}'\n",
-                              quantity(map.scene.springs.damping.value_or(0.0), "N·s/m")) +
+                              quantity(springs.damping.value_or(0.0), "N·s/m")) +
                   panel_script(stiffness, "k", damping);
     if (!damping.points.empty())
         script += fmt::format("unset logscale x\nset format x '%g'\nset xlabel 'damping in N·s/m, stiffness {}'\n",
-                              quantity(map.scene.springs.stiffness, "N/m")) +
+                              quantity(springs.stiffness, "N/m")) +
                   damping_axis(damping) + (both ? "unset key\n" : "") + panel_script(damping, "c", stiffness);
     if (stiffness.points.empty() && damping.points.empty())
         script +=

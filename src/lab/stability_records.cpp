@@ -31,9 +31,14 @@ std::vector<double> values_in(const std::string& option, const std::string& list
 
 Scene with_springs(const Scene& scene, double stiffness, std::optional<double> damping) {
     Scene other = scene;
-    other.springs.stiffness = stiffness;
-    if (other.springs.diagonal_stiffness) *other.springs.diagonal_stiffness *= stiffness / scene.springs.stiffness;
-    other.springs.damping = damping;
+    if (other.fabric) {
+        other.fabric->stretch_modulus *= stiffness / model_of(scene).springs.stiffness;
+        other.fabric->damping_time = damping ? std::optional(*damping / stiffness) : std::nullopt;
+    } else {
+        other.springs->stiffness = stiffness;
+        if (auto& diagonal = other.springs->diagonal_stiffness) *diagonal *= stiffness / scene.springs->stiffness;
+        other.springs->damping = damping;
+    }
     check_scene(other);
     return other;
 }
@@ -48,7 +53,8 @@ double seconds_in(const Json& json) {
 }  // namespace
 
 std::vector<StabilityPoint> points_of(const Scene& scene, const StabilityOptions& options) {
-    const double k = scene.springs.stiffness, critical = std::sqrt(k * scene.springs.mass);
+    const Springs springs = model_of(scene).springs;
+    const double k = springs.stiffness, critical = std::sqrt(k * springs.mass);
     auto methods = names_option<Method>("--methods", options.methods, settings::method_names);
     auto stiffness = values_in("--stiffness", options.stiffness, settings::stiffness_range, "N/m");
     auto damping = values_in("--damping", options.damping, settings::damping_range, "N s/m");
@@ -62,7 +68,7 @@ std::vector<StabilityPoint> points_of(const Scene& scene, const StabilityOptions
     std::vector<StabilityPoint> points;
     for (const Method method : methods) {
         for (std::size_t n = 0; n < stiffness.size(); ++n)
-            points.push_back({method, with_springs(scene, stiffness[n], scene.springs.damping), false,
+            points.push_back({method, with_springs(scene, stiffness[n], springs.damping), false,
                               fmt::format("{} stiffness {}: {} N/m", name_of(method), n + 1, stiffness[n])});
         for (std::size_t n = 0; n < damping.size(); ++n)
             points.push_back({method, with_springs(scene, k, damping[n]), true,
@@ -97,9 +103,10 @@ Json result_json(const StabilityLimit& limit) {
 }
 
 StabilityLimit limit_in(const Json& json, const StabilityPoint& point) {
+    const Springs springs = model_of(point.scene).springs;
     StabilityLimit limit{point.method,
-                         point.scene.springs.stiffness,
-                         point.scene.springs.damping.value_or(0.0),
+                         springs.stiffness,
+                         springs.damping.value_or(0.0),
                          seconds_in(json.at("measured_s")),
                          seconds_in(json.at("theory_s")),
                          seconds_in(json.at("unseen_below_s")),

@@ -102,7 +102,7 @@ nlohmann::ordered_json as_json(const TradeSweep& sweep, const Measured& measured
                                 {"precision", name_of(point.precision)},
                                 {"columns", scene.flag.columns},
                                 {"rows", scene.flag.rows},
-                                {"diagonals", scene.springs.diagonal_stiffness.has_value()},
+                                {"diagonals", scene.diagonals().has_value()},
                                 {"limit", limit ? limit->stretch : NAN},
                                 {"error_rms_m", unknown * measured.error.at_end},
                                 {"error_max_m", unknown * measured.error.greatest},

@@ -20,7 +20,7 @@ using namespace settings;
 /// Takes a term or limit out by its table; false if the scene lists none of that name.
 bool take_out(Scene& scene, const std::string& wanted) {
     bool found = false;
-    each_table(scene, [&](const std::string& table, auto& settings, const auto&, bool) {
+    each_table(scene, [&](const std::string& table, auto& settings, const auto&) {
         if constexpr (requires { settings.reset(); }) {
             if (table != wanted || !settings) return;
             settings.reset();
@@ -66,9 +66,11 @@ public:
 
     std::vector<ScenePart> all() {
         Scene rest = scene_;
-        each_table(rest, [&](const std::string& table, auto& settings, const auto& keys, bool) {
-            if constexpr (std::is_same_v<std::decay_t<decltype(settings)>, SpringSettings>) {
-                optional_settings(table, settings, keys, rest);
+        each_table(rest, [&](const std::string& table, auto& settings, const auto& keys) {
+            using Listed = std::decay_t<decltype(settings)>;
+            if constexpr (std::is_same_v<Listed, std::optional<SpringSettings>> ||
+                          std::is_same_v<Listed, std::optional<Fabric>>) {  // there is no scene without its material
+                if (settings) optional_settings(table, *settings, keys, rest);
             } else if constexpr (requires { settings.reset(); }) {
                 if (!settings) return;
                 whole(table, settings, rest);

@@ -61,12 +61,16 @@ Scene same_cloth(const Scene& scene, int columns, int rows) {
     Scene other = scene;
     other.flag.columns = columns;
     other.flag.rows = rows;
+    if (other.fabric) {
+        check_scene(other);
+        return other;
+    }
     const auto cells = [](int masses) { return static_cast<double>(std::max(1, masses - 1)); };
     const double across = cells(columns) / cells(scene.flag.columns), down = cells(rows) / cells(scene.flag.rows);
     // Springs in a line over lines of springs; a chain is one line.
     const double fly = across / down, hoist = down / across;
     const double stiffer = rows == 1 ? across : columns == 1 ? down : std::sqrt(fly * hoist);
-    SpringSettings& springs = other.springs;
+    SpringSettings& springs = *other.springs;
     springs.mass /= across * down;
     springs.stiffness *= stiffer;
     if (springs.diagonal_stiffness) *springs.diagonal_stiffness *= stiffer;
@@ -79,6 +83,7 @@ Scene same_cloth(const Scene& scene, int columns, int rows) {
 
 Model model_with(const Scene& scene, Borders borders) {
     const Model alike = model_of(scene);
+    if (scene.fabric) return alike;
     return Model(alike.grid, alike.springs, scene.flag.attach, alike.terms, alike.limits, borders);
 }
 

@@ -5,6 +5,7 @@
 #include "io/error.hpp"
 #include "io/text.hpp"
 #include "scene/file.hpp"
+#include "scene/material.hpp"
 
 #include "drapeau/stability.hpp"
 
@@ -28,8 +29,8 @@ Variant named(const Scene& scene, const Scene& given) {
     };
     if (scene.flag.columns != given.flag.columns || scene.flag.rows != given.flag.rows)
         differs(fmt::format("{} x {}", scene.flag.columns, scene.flag.rows));
-    const bool diagonals = scene.springs.diagonal_stiffness.has_value();
-    if (diagonals != given.springs.diagonal_stiffness.has_value()) {
+    const bool diagonals = scene.diagonals().has_value();
+    if (diagonals != given.diagonals().has_value()) {
         variant.key += std::string(" diagonals=") + (diagonals ? "on" : "off");
         differs(diagonals ? "diagonal springs" : "no diagonal springs");
     }
@@ -102,10 +103,7 @@ std::vector<Variant> variants_of(const Scene& scene, const TradeChoice& choice) 
     if (choice.both_diagonals)
         for (std::size_t n = 0, count = variants.size(); n < count; ++n) {
             Scene other = variants[n].scene;
-            if (other.springs.diagonal_stiffness)
-                other.springs.diagonal_stiffness.reset();
-            else
-                other.springs.diagonal_stiffness = 0.5 * other.springs.stiffness;
+            other.diagonals() = other.diagonals() ? std::nullopt : std::optional(usual_diagonals(other));
             add(other);
         }
     for (std::size_t n = 0, count = variants.size(); n < count; ++n)

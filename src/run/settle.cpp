@@ -2,6 +2,7 @@
 
 #include "run/carry_over.hpp"
 #include "run/engine.hpp"
+#include "scene/material.hpp"
 
 #include "drapeau/stability.hpp"
 
@@ -32,13 +33,14 @@ Scene coarser(const Scene& scene) {
     FlagSettings& flag = coarse.flag;
     if (flag.columns >= min_masses) flag.columns = (flag.columns + 1) / 2;
     if (flag.rows >= min_masses) flag.rows = (flag.rows + 1) / 2;
+    if (coarse.fabric) return do_cells_fit(coarse) ? coarse : scene;
     const auto share = [](int few, int many) { return static_cast<double>(few) / many; };
     const double columns = share(flag.columns, scene.flag.columns), rows = share(flag.rows, scene.flag.rows);
     const double across = share(std::max(1, flag.columns - 1), std::max(1, scene.flag.columns - 1));
     const double down = share(std::max(1, flag.rows - 1), std::max(1, scene.flag.rows - 1));
     const double fly = across / rows, hoist = down / columns;  // springs in a line over lines of springs
     const double softer = flag.rows == 1 ? fly : flag.columns == 1 ? hoist : std::sqrt(fly * hoist);
-    SpringSettings& springs = coarse.springs;
+    SpringSettings& springs = *coarse.springs;
     springs.mass /= columns * rows;
     springs.stiffness *= softer;
     if (springs.diagonal_stiffness) *springs.diagonal_stiffness *= softer;
@@ -49,10 +51,10 @@ Scene coarser(const Scene& scene) {
 std::vector<Scene> grids_of(const Scene& scene) {
     Scene quiet = scene;
     quiet.wind().reset();
-    quiet.springs.damping = 0.0;
-    quiet.springs.drag.reset();
+    quiet.damping() = 0.0;
+    quiet.drag().reset();
     quiet.terms.get<Air>().reset();
-    quiet.springs.friction.reset();
+    if (quiet.springs) quiet.springs->friction.reset();
     quiet.time.method = method_id<SemiImplicitEuler>;
     std::vector<Scene> grids{quiet};
     for (Scene next = coarser(quiet); next.flag != grids.back().flag; next = coarser(next)) grids.push_back(next);
@@ -98,7 +100,7 @@ Settled settle_on(const Scene& scene, const State<double>& start, const Goal& go
     const Model model = with_damped_springs(scene);
     const auto engine = make_engine(model, scene.time.method, Precision::double_precision);
     const double dt = std::min(0.9 * stable_step(SemiImplicitEuler{}, model).seconds(), batch_seconds);
-    const double mass = model.springs.mass * static_cast<double>(model.grid.masses());
+    const double mass = model.total_mass();
     const auto speed_of = [mass](double kinetic) { return std::sqrt(2.0 * kinetic / mass); };
 
     double highest = 0.0, quiet = 0.0;  // since it was last let go: J, s

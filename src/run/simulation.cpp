@@ -22,8 +22,8 @@ bool same_structure(const Scene& a, const Scene& b) {
     return a.flag.columns == b.flag.columns && a.flag.rows == b.flag.rows && a.flag.width == b.flag.width &&
            a.flag.height == b.flag.height && goes_on(a.flag, b.flag) && a.time.method == b.time.method &&
            a.time.precision == b.time.precision && a.time.half_kick_start == b.time.half_kick_start &&
-           a.springs.diagonal_stiffness.has_value() == b.springs.diagonal_stiffness.has_value() &&
-           a.springs.damping.has_value() == b.springs.damping.has_value() &&
+           a.fabric.has_value() == b.fabric.has_value() && a.diagonals().has_value() == b.diagonals().has_value() &&
+           a.damping().has_value() == b.damping().has_value() &&
            a.terms.get<Air>().has_value() == b.terms.get<Air>().has_value();
 }
 

@@ -35,7 +35,7 @@ double unseen_fall(const Engine& engine) {
     constexpr double unseen = 1e-9;  // of the flag's size
     const Model& model = engine.model();
     const double pull = std::hypot(model.potential({1, 0, 0}), model.potential({0, 1, 0}), model.potential({0, 0, 1}));
-    return unseen * engine.reach() * pull * model.springs.mass * static_cast<double>(model.grid.masses());
+    return unseen * engine.reach() * pull * model.total_mass();
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ double Watch::rounding_energy(const Engine& engine, long long steps) const {
     // k eps X for each spring, and energy walks up by (dt k eps X)^2 / 2m, at most k (eps X)^2 for a stable step.
     const Model& model = engine.model();
     const double eps = engine.epsilon();
-    const double k = std::max(model.springs.stiffness, model.springs.diagonal_stiffness.value_or(0.0));
+    const double k = model.springs.stiffest();
     return static_cast<double>(steps) * static_cast<double>(model.springs_in_all()) * k *
            std::pow(2.0 * eps * engine.reach(), 2);
 }

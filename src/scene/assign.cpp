@@ -27,7 +27,7 @@ constexpr Target target_of<std::optional<Value>> = Target::left_out;
 Target find_target(std::string_view key) {
     const Scene any;
     Target found = Target::other;
-    each_table(any, [&](const std::string& table, const auto& settings, const auto& keys, bool) {
+    each_table(any, [&](const std::string& table, const auto& settings, const auto& keys) {
         if (requires { settings.has_value(); } && key == table) found = Target::table;
         each_key(keys, [&]<class Settings, class Value>(const Key<Settings, Value>& field) {
             if (key == full_name(table, field.key) && field.absent.empty()) found = target_of<Value>;

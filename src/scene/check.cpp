@@ -3,9 +3,11 @@
 #include "io/error.hpp"
 #include "io/text.hpp"
 #include "scene/file.hpp"
+#include "scene/material.hpp"
 #include "scene/settings.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <unistd.h>
 
@@ -34,7 +36,7 @@ std::string given_text(const Value& value, const settings::About& about) {
 std::optional<SceneFault> find_value_out_of_range(const Scene& scene) {
     using namespace settings;
     std::optional<SceneFault> fault;
-    each_table(scene, [&](const std::string& table, const auto& settings, const auto& keys, bool) {
+    each_table(scene, [&](const std::string& table, const auto& settings, const auto& keys) {
         const auto* values = listed(settings);
         if (!values) return;
         each_key(keys, [&](const auto& field) {
@@ -52,10 +54,33 @@ std::optional<SceneFault> find_value_out_of_range(const Scene& scene) {
     return fault;
 }
 
+/// Springs could not resist as the fabric does in every direction.
+std::optional<SceneFault> find_fault_of_cells(const Scene& scene) {
+    if (!scene.fabric) return {};
+    const FlagSettings& flag = scene.flag;
+    if (flag.columns == 1 || flag.rows == 1) {
+        return SceneFault{"flag", flag.rows == 1 ? "rows" : "columns", "1",
+                          "a fabric has two rows and columns at least; give a chain as [springs]"};
+    }
+    if (do_cells_fit(scene)) return {};
+    const auto columns = fitting_columns(scene), rows = fitting_rows(scene);
+    const auto grid = [](int c, int r) { return std::to_string(c) + " x " + std::to_string(r); };
+    std::string nearest = ", and no grid has them";
+    const auto change = [](int from, int to) { return std::abs(std::log((to - 1.0) / (from - 1.0))); };
+    if (rows && (!columns || change(flag.rows, *rows) <= change(flag.columns, *columns)))
+        nearest = "; the nearest grid that has them is " + grid(flag.columns, *rows);
+    else if (columns)
+        nearest = "; the nearest grid that has them is " + grid(*columns, flag.rows);
+    return SceneFault{"fabric", "diagonal_share", shortest(*scene.fabric->diagonal_share),
+                      "cells at most " + rounded(longest_cell(*scene.fabric), 3) +
+                          " times as long as wide, or as wide as long, can resist so" + nearest};
+}
+
 }  // namespace
 
 std::string SceneFault::text() const {
     const std::string name = table + (table.empty() || key.empty() ? "" : ".") + key;
+    if (name.empty()) return allowed;
     return name + (value.empty() ? "" : " = " + one_line(value, 60)) + ": " + allowed;
 }
 
@@ -72,6 +97,12 @@ double memory_of(double masses, Precision precision) {
 }
 
 std::optional<SceneFault> find_fault(const Scene& scene) {
+    if (!scene.springs && !scene.fabric)
+        return SceneFault{"", "", "", "the material is missing: [springs] or [fabric]"};
+    if (scene.springs && scene.fabric) {
+        return SceneFault{"fabric", "", "",
+                          "the material is given by [springs] too; leave out one of them (springs=off or fabric=off)"};
+    }
     const FlagSettings& flag = scene.flag;
     const std::string longer_side = flag.columns >= flag.rows ? "columns" : "rows";
     const std::string longer_count = std::to_string(std::max(flag.columns, flag.rows));
@@ -96,10 +127,12 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
         return SceneFault{"time", "tolerance", settings::value_text(*scene.time.tolerance),
                           "goes with time.dt = \"auto\" only, and the step is given"};
     }
+    if (auto fault = find_fault_of_cells(scene)) return fault;
     const auto& air = scene.terms.get<Air>();
-    if (scene.wind() && !scene.springs.drag && !(air && (air->pressure || air->skin))) {
+    if (scene.wind() && !scene.drag() && !(air && (air->pressure || air->skin))) {
+        const std::string drag = scene.fabric ? "fabric.drag_per_area" : "springs.drag";
         return SceneFault{"wind", "", "",
-                          "nothing would feel it; give springs.drag or [air] too, or leave the wind out"};
+                          "nothing would feel it; give " + drag + " or [air] too, or leave the wind out"};
     }
     return std::nullopt;
 }

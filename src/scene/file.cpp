@@ -124,7 +124,7 @@ bool is_one_of(std::span<const std::string_view> names, std::string_view name) {
 std::optional<std::string> table_of(std::string_view key) {
     const Scene any;
     std::optional<std::string> found;
-    each_table(any, [&](const std::string& table, const auto&, const auto& keys, bool) {
+    each_table(any, [&](const std::string& table, const auto&, const auto& keys) {
         const auto names = names_in(keys);
         if (!found && !table.empty() && is_one_of(names, key)) found = table;
     });
@@ -168,31 +168,36 @@ void read_keys(const toml::table& node, const std::string& table, Settings& sett
 void refuse_unknown_tables(const toml::table& root, const std::string& origin) {
     std::vector<std::string_view> known = names_in(scene_keys);
     const Scene any;
-    each_table(any, [&](std::string_view table, const auto&, const auto&, bool) {
+    each_table(any, [&](std::string_view table, const auto&, const auto&) {
         if (!table.empty()) known.push_back(table);
     });
     for (const auto& [key, value] : root) {
         if (!is_one_of(later_tables, key.str())) continue;
-        fail(origin, value,
-             "[" + std::string(key.str()) + "]: not available in this version" +
-                 (key.str() == "fabric" ? "; give the material as [springs]" : ""));
+        fail(origin, value, "[" + std::string(key.str()) + "]: not available in this version");
     }
     refuse_unknown_keys(root, "", known, origin);
 }
 
+/// A fabric begins with the values of its name.
+void begin(Fabric& fabric, const toml::table& node) {
+    if (const toml::node* name = node.get("name"); name && take(*name, fabric.name)) fabric = fabric_of(fabric.name);
+}
+template <class Settings>
+void begin(Settings&, const toml::table&) {}
+
 void read_tables(const toml::table& root, Scene& scene, const std::string& origin) {
-    each_table(scene, [&](const std::string& table, auto& settings, const auto& keys, bool required) {
+    scene.springs.reset();
+    each_table(scene, [&](const std::string& table, auto& settings, const auto& keys) {
         if (table.empty()) {
             read_keys(root, table, *listed(settings), keys, origin);
             return;
         }
         const toml::node* node = root.get(table);
-        if (!node && required) fail(origin, "[" + table + "] is missing: a scene needs its masses and springs");
         if (!node) return;
         if (!node->is_table())
             fail(origin, *node, table + " = " + one_line(echo(*node), 60) + ": a table is expected, [" + table + "]");
 
-        if constexpr (requires { settings.has_value(); }) settings.emplace();
+        if constexpr (requires { settings.has_value(); }) begin(settings.emplace(), *node->as_table());
         refuse_unknown_keys(*node->as_table(), table, names_in(keys), origin);
         read_keys(*node->as_table(), table, *listed(settings), keys, origin);
     });

@@ -10,8 +10,8 @@ using namespace settings;
 
 constexpr const char* introduction = R"(# The settings of a scene
 
-A scene is a TOML file. What it lists is modelled, what it leaves out is not and costs nothing; `springs.mass` and
-`springs.stiffness` are the least it says. Both programs read scenes and take single settings instead with
+A scene is a TOML file. What it lists is modelled, what it leaves out is not and costs nothing; its material, as
+`[springs]` or as `[fabric]`, is the least it says. Both programs read scenes and take single settings instead with
 `--set KEY=VALUE` (`drapeau storm --set flag.columns=90 --set springs.drag=off`); the window saves a scene with all that
 its controls were set to. `off` takes out a table, or a setting whose default is to be left out, and says false; `on` lists
 a table with its defaults, and says true. Options such as `--dt` win over `--set`.
@@ -42,7 +42,8 @@ std::string line_of(const Settings& settings, const Key<Settings, Value>& field)
 template <class Settings>
 std::string remark_of(const std::optional<Settings>&) {
     constexpr std::string_view remark = remark_on<Settings>;
-    return "May be left out. " + std::string(remark) + (remark.empty() ? "" : " ");
+    constexpr bool is_material = std::is_same_v<Settings, SpringSettings> || std::is_same_v<Settings, Fabric>;
+    return (is_material ? "" : "May be left out. ") + std::string(remark) + (remark.empty() ? "" : " ");
 }
 template <class Settings>
 std::string remark_of(const Settings&) {
@@ -54,7 +55,7 @@ std::string remark_of(const Settings&) {
 std::string settings_reference() {
     Scene scene;  // with its defaults
     std::string text = introduction;
-    each_table(scene, [&](const std::string& table, auto& settings, const auto& keys, bool) {
+    each_table(scene, [&](const std::string& table, auto& settings, const auto& keys) {
         const std::string remark = remark_of(settings);
         if constexpr (requires { settings.has_value(); }) settings.emplace();
         text += table.empty() ? "\n## Before the first table\n\n" : "\n## [" + table + "]\n\n";

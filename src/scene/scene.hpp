@@ -2,6 +2,7 @@
 // and what the window shows. What a scene does not list (an empty optional) is not computed.
 #pragma once
 
+#include "drapeau/fabric.hpp"
 #include "drapeau/methods/list.hpp"
 #include "drapeau/model.hpp"
 
@@ -70,12 +71,20 @@ struct ViewSettings {
 struct Scene {
     std::string name = "Report";
     FlagSettings flag;
-    SpringSettings springs;
-    Terms terms;    // those with a table of their own; drag and friction stand with the springs
+    std::optional<SpringSettings> springs{SpringSettings{}};  // one of these two gives the material
+    std::optional<Fabric> fabric{};
+    Terms terms;    // those with a table of their own; drag and friction stand with the material
     Limits limits;  // passes after the move
     TimeSettings time;
     ViewSettings view;
 
+    // What either material may leave out: springs say it for each of them, a fabric for all that it is.
+    std::optional<double>& diagonals() { return fabric ? fabric->diagonal_share : springs->diagonal_stiffness; }
+    const std::optional<double>& diagonals() const { return const_cast<Scene*>(this)->diagonals(); }
+    std::optional<double>& damping() { return fabric ? fabric->damping_time : springs->damping; }
+    const std::optional<double>& damping() const { return const_cast<Scene*>(this)->damping(); }
+    std::optional<double>& drag() { return fabric ? fabric->drag_per_area : springs->drag; }
+    const std::optional<double>& drag() const { return const_cast<Scene*>(this)->drag(); }
     std::optional<Gravity>& gravity() { return terms.get<Gravity>(); }
     const std::optional<Gravity>& gravity() const { return terms.get<Gravity>(); }
     std::optional<Wind>& wind() { return terms.get<Wind>(); }
@@ -87,12 +96,13 @@ struct Scene {
 /// The model that a scene describes.
 inline Model model_of(const Scene& scene) {
     const auto& [columns, rows, width, height, attach, start, prestretch, disturbance, texture] = scene.flag;
-    const SpringSettings& s = scene.springs;
+    const Grid grid = spread(columns, rows, width, height);
+    if (scene.fabric) return model_of(*scene.fabric, grid, attach, scene.terms, scene.limits);
+    const SpringSettings& s = *scene.springs;
     Terms terms = scene.terms;
     if (s.drag) terms.add(AirDrag{*s.drag});
     if (s.friction) terms.add(Friction{*s.friction});
-    return Model(spread(columns, rows, width, height), {s.mass, s.stiffness, s.diagonal_stiffness, s.damping}, attach,
-                 terms, scene.limits);
+    return Model(grid, {s.mass, s.stiffness, s.diagonal_stiffness, s.damping}, attach, terms, scene.limits);
 }
 
 }  // namespace drapeau

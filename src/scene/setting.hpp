@@ -26,11 +26,17 @@ inline constexpr auto method_names = []<std::size_t... n>(std::index_sequence<n.
 (std::make_index_sequence<method_count>());
 inline constexpr std::array<std::string_view, 2> precision_names{"float", "double"};
 
+inline constexpr std::array<std::string_view, 5> fabric_names{"knitted-polyester", "woven-polyester", "nylon", "silk",
+                                                              "canvas"};
+
 inline std::span<const std::string_view> names_of(Attach) {
     return attach_names;
 }
 inline std::span<const std::string_view> names_of(Start) {
     return start_names;
+}
+inline std::span<const std::string_view> names_of(FabricName) {
+    return fabric_names;
 }
 inline std::span<const std::string_view> names_of(Method) {
     return method_names;

@@ -1,7 +1,7 @@
 // The settings of a scene, one row each. The row drives reading, writing and checking scene files, every message about
 // the key, --set on the command lines, the panel's control and docs/scene.md. To add a setting, add its member to the
-// settings or the term it belongs to and its row here. A term or limit with a table of its own needs a tuple of rows,
-// keys_of<Term>; the list of terms does the rest.
+// settings, the fabric or the term it belongs to and its row here. A term or limit with a table of its own needs a
+// tuple of rows, keys_of<Term>; the list of terms does the rest.
 #pragma once
 
 #include "scene/setting.hpp"
@@ -16,7 +16,7 @@
 namespace drapeau::settings {
 
 /// What the format reserves but this version does not have yet.
-inline constexpr std::array<std::string_view, 4> later_tables{"fabric", "bending", "ground", "pole"};
+inline constexpr std::array<std::string_view, 3> later_tables{"bending", "ground", "pole"};
 
 inline constexpr std::tuple scene_keys{
     Key{"name", &Scene::name, About{"Name", "", "shown in the window's title"}},
@@ -86,11 +86,47 @@ inline constexpr std::tuple springs_keys{
         damping_range, Control{{1e-6, 0.1}, true, "%.3g", 1, "", 0.0001}},
 };
 
+inline constexpr std::tuple fabric_keys{
+    Key{"name", &Fabric::name,
+        About{"Fabric", "", "what it is made of: its values are taken where none is given",
+              "Another fabric brings values of its own."}},
+    Key{"density", &Fabric::density,
+        About{"Density", "kg/m²", "mass per area", "A heavier cloth swings more slowly and allows a larger step."},
+        Range{1e-6, 1e6}, Control{{10, 1000}, true, "%.0f", 1000, "g/m²"}},
+    Key{"stretch_modulus", &Fabric::stretch_modulus,
+        About{"Stretch modulus", "N/m", "pull per width over stretch, along the threads (Y)",
+              "Stiffer cloth stretches less and needs a smaller step."},
+        stiffness_range, Control{{10, 20000}, true, "%.4g"}},
+    Key{"diagonal_share", &Fabric::diagonal_share,
+        About{"Diagonal share", "", "of diagonal springs' stiffness to that of others, on square cells (s)",
+              "They resist shear: little in woven cloth, at 0.5 alike in all directions. Off: nothing does, and half "
+              "of all springs are saved."},
+        Range{1e-6, 1e3}, Control{{0.01, 1}, true, "%.3f", 1, "", 0.1}, "off"},
+    Key{"damping_time", &Fabric::damping_time,
+        About{"Damping time", "s", "damping over stiffness of every spring (tau)",
+              "A longer one damps vibration along springs sooner and needs a smaller step. Off: none is computed."},
+        Range{0, 1e3}, Control{{1e-3, 10}, true, "%.3g", 1000, "ms", 5e-5}, "off"},
+    Key{"drag_per_area", &Fabric::drag_per_area,
+        About{"Air drag", "N·s/m³", "per area, against the air, the same edge-on and broadside",
+              "Wind pushes through it. More drag makes the cloth follow the air more closely."},
+        damping_range, Control{{1e-2, 100}, true, "%.3g", 1, "", 0.5}},
+};
+
 /// The keys of a term's or limit's own table, and what a reader of its table should know.
 template <class Term>
 inline constexpr std::tuple keys_of{};
 template <class Term>
 inline constexpr std::string_view remark_on = "";
+
+template <>
+inline constexpr std::string_view remark_on<SpringSettings> =
+    "Every mass and every spring alike, borders too: another grid is another cloth. A scene has either this table or "
+    "[fabric].";
+template <>
+inline constexpr std::string_view remark_on<Fabric> =
+    "The same cloth on every grid: masses and springs follow from the cells, and borders are as light as their share "
+    "of it. Defaults are those of the named fabric, here knitted polyester (docs/model.md has all). A scene has either "
+    "this table or [springs].";
 
 template <>
 inline constexpr std::tuple keys_of<Gravity>{
@@ -119,7 +155,8 @@ inline constexpr std::tuple keys_of<Air>{
 };
 
 template <>
-inline constexpr std::string_view remark_on<Wind> = "Wind is felt through springs.drag or [air], so it needs either.";
+inline constexpr std::string_view remark_on<Wind> =
+    "Wind is felt through drag of springs or fabric, or through [air], so it needs one of them.";
 template <>
 inline constexpr std::tuple keys_of<Wind>{
     Key{"velocity", &Wind::velocity,
@@ -200,20 +237,21 @@ inline constexpr std::tuple view_keys{
 template <class Listed, class Visit>
 void visit_table_of(Listed& listed, Visit&& visit) {
     using Term = typename std::remove_const_t<Listed>::value_type;
-    if constexpr (requires { Term::table; }) visit(Term::table, listed, keys_of<Term>, false);
+    if constexpr (requires { Term::table; }) visit(Term::table, listed, keys_of<Term>);
 }
 
-/// Calls visit(table name, settings or optional settings, its keys, whether a file must have it) in the order of a
-/// file. The keys before the first table have the name "".
+/// Calls visit(table name, settings or optional settings, its keys) in the order of a file. The keys before the first
+/// table have the name "".
 template <class AnyScene, class Visit>
 void each_table(AnyScene& scene, Visit&& visit) {
-    visit("", scene, scene_keys, false);
-    visit("flag", scene.flag, flag_keys, false);
-    visit("springs", scene.springs, springs_keys, true);
+    visit("", scene, scene_keys);
+    visit("flag", scene.flag, flag_keys);
+    visit("springs", scene.springs, springs_keys);
+    visit("fabric", scene.fabric, fabric_keys);
     Terms::for_all(scene.terms, [&](auto& term) { visit_table_of(term, visit); });
     Limits::for_all(scene.limits, [&](auto& limit) { visit_table_of(limit, visit); });
-    visit("time", scene.time, time_keys, false);
-    visit("view", scene.view, view_keys, false);
+    visit("time", scene.time, time_keys);
+    visit("view", scene.view, view_keys);
 }
 
 template <class Keys, class Visit>

@@ -9,11 +9,22 @@ namespace drapeau {
 
 namespace {
 
+/// Whether the name of a fabric says the value.
+template <class Value>
+bool is_implied(const Fabric& fabric, const settings::Key<Fabric, Value>& field) {
+    return field.key != "name" && fabric.*field.member == fabric_of(fabric.name).*field.member;
+}
+template <class Settings, class Value>
+bool is_implied(const Settings&, const settings::Key<Settings, Value>&) {
+    return false;
+}
+
 /// The line of a key; nothing for an absent optional that has no word.
 template <class Settings, class Value>
 std::optional<SceneLine> line_of(const std::string& table, const Settings& settings,
                                  const settings::Key<Settings, Value>& field) {
     const Value& value = settings.*field.member;
+    if (is_implied(settings, field)) return {};
     SceneLine line{table, std::string(field.key), "", std::string(field.about.unit), settings::comment_of(field.about)};
     if constexpr (requires { value.has_value(); }) {
         if (!value && field.absent.empty()) return {};
@@ -36,7 +47,7 @@ std::string SceneLine::text(const std::string& note) const {
 
 std::vector<SceneLine> scene_lines(const Scene& scene) {
     std::vector<SceneLine> lines;
-    settings::each_table(scene, [&](const std::string& table, const auto& settings, const auto& keys, bool) {
+    settings::each_table(scene, [&](const std::string& table, const auto& settings, const auto& keys) {
         const auto* values = settings::listed(settings);
         if (!values) return;
         if (!table.empty()) lines.push_back({table, "", "", "", ""});

@@ -5,7 +5,7 @@
 #include "findings.hpp"
 #include "message.hpp"
 #include "run/simulation.hpp"
-#include "scene/scene.hpp"
+#include "scene/material.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -96,7 +96,7 @@ struct AppState {
     std::vector<std::string> scene_names;
     std::vector<std::filesystem::path> texture_files;
 
-    double diagonal_stiffness = 100.0;  // N/m; kept while diagonal springs are off
+    std::optional<double> diagonals;  // N/m, or share; kept while diagonal springs are off
 
     bool paused = false;
     bool panel_shown = true;    // where there is room for it beside the flag
@@ -150,9 +150,9 @@ inline void agree(AppState& app) {
 
 /// Diagonal springs off, or on as stiff as they last were.
 inline void toggle_diagonals(AppState& app) {
-    auto& stiffness = app.scene.springs.diagonal_stiffness;
-    if (stiffness) app.diagonal_stiffness = *stiffness;
-    stiffness = stiffness ? std::nullopt : std::optional(app.diagonal_stiffness);
+    auto& diagonals = app.scene.diagonals();
+    if (diagonals) app.diagonals = *diagonals;
+    diagonals = diagonals ? std::nullopt : std::optional(app.diagonals.value_or(usual_diagonals(app.scene)));
 }
 
 }  // namespace drapeau

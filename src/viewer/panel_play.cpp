@@ -39,7 +39,7 @@ void choose_view(AppState& app, Widgets& widgets) {
     toggle(&ViewSettings::masses);
     toggle(&ViewSettings::springs);
     ImGui::SameLine(half);
-    bool diagonals = app.scene.springs.diagonal_stiffness.has_value();
+    bool diagonals = app.scene.diagonals().has_value();
     if (widgets.toggle(
             "Diagonals", diagonals,
             "Diagonal springs, simulated and drawn. They resist shear and double the number of springs. Key D"))

@@ -1,6 +1,7 @@
 // The page on masses, springs, and on the terms and limits that have no page of their own.
 #include "panels.hpp"
 
+#include "scene/material.hpp"
 #include "setting_controls.hpp"
 
 #include <imgui.h>
@@ -9,9 +10,45 @@ namespace drapeau {
 
 using namespace settings;
 
+namespace {
+
+void choose_material(AppState& app, Widgets& widgets) {
+    int index = app.scene.fabric ? 1 : 0;
+    if (!widgets.choice("Material", index, {"springs", "fabric"}, app.origin.fabric ? 1 : 0,
+                        "Springs: every mass and spring by itself, so that another grid is another cloth. Fabric: the "
+                        "same cloth on every grid. A change leaves the flag about as it is."))
+        return;
+    index == 1 ? give_as_fabric(app.scene) : give_as_springs(app.scene);
+    app.diagonals.reset();
+}
+
+void edit_springs(AppState& app, Widgets& widgets) {
+    SpringSettings& springs = *app.scene.springs;
+    const SpringSettings origin = app.origin.springs.value_or(springs);
+    each_key(springs_keys, [&](const auto& field) { edit(widgets, "springs", field, springs, origin); });
+}
+
+/// Another name brings its values, but for the drag, which is the air's.
+void edit_fabric(AppState& app, Widgets& widgets) {
+    Fabric& fabric = *app.scene.fabric;
+    const FabricName before = fabric.name;
+    const Fabric origin = app.origin.fabric.value_or(fabric_of(before));
+    each_key(fabric_keys, [&](const auto& field) { edit(widgets, "fabric", field, fabric, origin); });
+    if (fabric.name == before) return;
+    const auto drag = fabric.drag_per_area;
+    fabric = fabric_of(fabric.name);
+    fabric.drag_per_area = drag;
+    app.diagonals.reset();
+}
+
+}  // namespace
+
 void draw_springs_page(AppState& app, Widgets& widgets) {
-    each_key(springs_keys,
-             [&](const auto& field) { edit(widgets, "springs", field, app.scene.springs, app.origin.springs); });
+    choose_material(app, widgets);
+    if (app.scene.fabric)
+        edit_fabric(app, widgets);
+    else
+        edit_springs(app, widgets);
     ImGui::Spacing();
     Limits::for_all(app.scene.limits, [&]<class Limit>(std::optional<Limit>& limit) {
         edit_table(widgets, limit, app.origin.limits.get<Limit>());

@@ -132,8 +132,9 @@ std::string effect_text(const Priced& priced) {
 std::string part_name(const ScenePart& part) {
     if (part.key == "flag") return "Fine grid";
     if (part.key == "time.precision") return "Double precision";
-    constexpr std::string_view springs = "springs.";
-    std::string name = part.key.starts_with(springs) ? part.key.substr(springs.size()) : part.key;
+    std::string name = part.key;
+    for (const std::string_view material : {"springs.", "fabric."})
+        if (name.starts_with(material)) name.erase(0, material.size());
     std::replace_if(
         name.begin(), name.end(), [](char c) { return c == '.' || c == '_'; }, ' ');
     return capitalised(name);

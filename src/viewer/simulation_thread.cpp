@@ -36,7 +36,7 @@ SpringKinds kinds_of(const Model& model) {
     };
     const double k = model.springs.stiffness, diagonal = model.springs.diagonal_stiffness.value_or(0.0);
     return {.fly = kind(grid.columns > 1, grid.pitch_x, k),
-            .hoist = kind(grid.rows > 1, grid.pitch_y, k),
+            .hoist = kind(grid.rows > 1, grid.pitch_y, model.springs.along_hoist * k),
             .diagonal = kind(model.has_diagonals(), grid.pitch_diagonal(), diagonal)};
 }
 

@@ -8,6 +8,7 @@
 #include "io/output_file.hpp"
 #include "io/terminal.hpp"
 #include "scene/file.hpp"
+#include "scene/material.hpp"
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
@@ -190,6 +191,7 @@ void Viewer::measure_wanted() {
 void Viewer::send_settings() {
     if (opening_) return;
     keep_proportions();
+    fit_cells(app_.scene, sent_.flag);
     const bool changed = physics_of(app_.scene) != physics_of(sent_);
     if (app_.commands.restart)
         simulation_.restart(app_.scene, ++revision_);

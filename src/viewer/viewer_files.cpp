@@ -73,7 +73,7 @@ void Viewer::save(const std::filesystem::path& file) {
 void Viewer::adopt(LoadedScene loaded) {
     app_.scene = app_.origin = loaded.scene;
     app_.scene_file = loaded.file;
-    app_.diagonal_stiffness = loaded.scene.springs.diagonal_stiffness.value_or(0.5 * loaded.scene.springs.stiffness);
+    app_.diagonals.reset();
     app_.question.reset();  // it was about the scene before
     close_if(app_.message, Message::Cause::scene);
     set_image(loaded.texture_file, std::move(loaded.image));

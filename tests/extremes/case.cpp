@@ -147,7 +147,7 @@ Case Cases::at(long long number) const {
     of.begin = starts[row[start_]].begin;
     flag.start = starts[row[start_]].start, flag.prestretch = starts[row[start_]].prestretch;
 
-    SpringSettings& springs = scene.springs;
+    SpringSettings& springs = *scene.springs;
     springs.stiffness = clamped(about(stiffnesses[row[stiffness_]]), settings::stiffness_range);
     springs.mass = clamped(about(masses[row[mass_]]), {1e-9, 1e6});
     if (const double share = about(diagonals[row[diagonal_]]); share > 0.0)

@@ -65,7 +65,7 @@ public:
         power_ = model.most_power();
         // Places are rounded to eps X, so a step's kick is off by k eps X for each spring: (dt k eps X)^2 / 2m of
         // energy, at most k (eps X)^2 for a stable step.
-        const double k = std::max(model.springs.stiffness, model.springs.diagonal_stiffness.value_or(0.0));
+        const double k = model.springs.stiffest();
         rounding_ = static_cast<double>(model.springs_in_all()) * k * std::pow(2.0 * epsilon * farthest, 2);
     }
     double at(double time, long long steps) const {

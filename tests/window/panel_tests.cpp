@@ -52,16 +52,25 @@ std::string sign_of(const std::string& table, const drapeau::settings::Key<Setti
 
 TEST_CASE("every setting of a scene has its control") {
     using namespace drapeau::settings;
+    const bool of_fabric = GENERATE(false, true);
     drapeau::Scene scene;
-    scene.springs.drag = 0.0006;
+    if (of_fabric) {
+        scene.springs.reset();
+        scene.fabric.emplace();
+    }
+    scene.drag() = 0.0006;
     scene.wind().emplace();
     scene.gravity().emplace();
     scene.terms.get<drapeau::Air>().emplace();
     Screen screen;
     TemporaryFolder folder;
     App app(screen, {written(folder, "all.toml", drapeau::write_scene(scene)), "--size", "900x640"});
-    each_table(scene, [&](const std::string& table, const auto&, const auto& keys, bool) {
-        if (table.empty()) return;  // the name is the window's title
+    each_table(scene, [&](const std::string& table, const auto& settings, const auto& keys) {
+        if (table == "springs" || table == "fabric") {
+            if (!listed(settings)) return;
+        } else if (of_fabric || table.empty()) {  // as with springs; the name is the window's title
+            return;
+        }
         const std::string page = table == "flag"   ? "Flag"
                                  : table == "wind" ? "Wind"
                                  : table == "time" ? "Time"
@@ -375,6 +384,43 @@ TEST_CASE("the error of the run is shown, and a tolerance makes the step smaller
         return !look.has("Tolerance on") && value(look, "Reading: Step limit") == "none: the step is given";
     });
     CHECK(app.look().text("message").empty());
+    app.check_healthy();
+}
+
+TEST_CASE("springs become a fabric, which keeps its cells short on any grid and brings the values of its name") {
+    const Screen screen;
+    const TemporaryFolder folder;
+    App app(screen, {"breeze", "--size", "1280x800"});
+    const auto value = [&app](const std::string& label) { return app.look().controls.at(label).value; };
+    app.click("Page: Springs");
+    CHECK(value("Material") == "springs");
+    choose(app, "Material", "fabric");
+    app.wait_until("the fabric", [](const Look& look) { return look.has("Stretch modulus"); });
+    CHECK_FALSE(app.look().has("Stiffness"));
+    // 122 mg on cells of 34.1 x 32.4 mm; 800 and 400 N/m, s = 1/2 but for the cells' shape, so Y is 4/3 of 800.
+    CHECK(std::stod(value("Density")) == Approx(110.4).margin(0.6));
+    CHECK(std::stod(value("Stretch modulus")) == Approx(1066.0).epsilon(0.01));
+    choose(app, "Fabric", "canvas");
+    app.wait_until("its density", [&](const Look&) { return std::stod(value("Density")) == 340.0; });
+    CHECK(value("Air drag on") == "1");
+
+    app.click("Page: Flag");
+    app.type_number("Columns", "170");  // of cells a third as wide as before: at a share of 0.07 four times would do
+    app.wait_until("the columns", [](const Look& look) { return look.controls.at("Columns").value == "170"; });
+    CHECK(value("Rows") == "30");
+    app.type_number("Columns", "200");
+    app.wait_until("more rows", [&](const Look& look) { return look.controls.at("Rows").value == "33"; });
+    CHECK(app.look().text("message").empty());
+
+    app.click("Page: Time");
+    app.show("Save as");
+    app.type("Save as", folder / "canvas.toml");
+    app.wait_until("the scene to be saved",
+                   [](const Look& look) { return look.text("message").starts_with("Saved "); });
+    const drapeau::Scene saved = drapeau::read_scene(folder / "canvas.toml");
+    CHECK(saved.fabric->name == drapeau::FabricName::canvas);
+    CHECK(saved.fabric->stretch_modulus == 1000.0);
+    CHECK(saved.flag.rows == 33);
     app.check_healthy();
 }
 
