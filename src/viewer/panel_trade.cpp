@@ -119,7 +119,7 @@ void draw_trade(AppState& app, Widgets& widgets) {
     measure_button(app, Subject::trade, is_of ? "Measure anew" : "Measure settings",
                    "Flies the scene for a tenth of a second with every method, many steps and both precisions, and "
                    "compares them with a reference of another method at far smaller steps. It is done beside the flag, "
-                   "in some seconds of one processor.",
+                   "in some ten seconds of one processor.",
                    widgets);
 }
 
@@ -194,7 +194,7 @@ void draw_prices(AppState& app, Widgets& widgets) {
     measure_button(
         app, Subject::prices, findings.prices ? "Price anew" : "Price each part",
         "What every part of the scene costs in time and changes in millimetres: the scene is flown with and "
-        "without it from the same state. It is done beside the flag, in some twenty seconds of one processor.",
+        "without it from the same state. It is done beside the flag, in some fifteen seconds of one processor.",
         widgets);
 }
 
