@@ -436,3 +436,26 @@ TEST_CASE("a cost is said with what it is known to, or as the most that it may b
     CHECK(percent(Share{-0.1, 0.14}) == "< 24.0 %");
     CHECK(percent(Share{}) == "-");
 }
+
+TEST_CASE("what price leaves out of a fabric that has it by its name is left out of the scene that it writes") {
+    const Bench bench;
+    bench.write("drum.toml",
+                "[flag]\ncolumns = 4\nrows = 4\nwidth = 0.9\nheight = 0.9\nattach = \"edges\"\n"
+                "[fabric]\n[gravity]\nacceleration = [0, 0, -9.8]\n");
+    REQUIRE(bench
+                .run("price drum.toml --budget " + std::string(sanitized ? "2" : "0.1") +
+                     " --settle 0 --seconds 0.1 --tolerance 1m --write less.toml")
+                .status <= 1);
+    const std::string text = contents(bench.path / "less.toml");
+    const Scene less = parse_scene(text, "less.toml");
+    int left_out = 0;
+    const auto check = [&](const char* key, const std::optional<double>& value) {
+        const bool is_said = has(text, "# " + std::string(key)) && has(text, "left out");
+        CHECK(is_said == !value);
+        left_out += is_said;
+    };
+    check("diagonal_share", less.fabric->diagonal_share);
+    check("damping_time", less.fabric->damping_time);
+    if (!sanitized) CHECK(left_out > 0);  // what saves time there is anybody's guess
+    CHECK_FALSE(has(text, "density"));
+}

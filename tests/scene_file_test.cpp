@@ -5,6 +5,7 @@
 #include "io/text.hpp"
 #include "run/simulation.hpp"
 #include "scene/file.hpp"
+#include "scene/material.hpp"
 #include "scene/reference.hpp"
 #include "scene/settings.hpp"
 
@@ -348,7 +349,7 @@ TEST_CASE("a scene has exactly one material") {
     CHECK(has(message_of("[springs]\nstiffness = 1\n"), "storm.toml:1: springs.mass is missing"));
     CHECK(has(message_of("[springs]\nmass = 1\n"), "storm.toml:1: springs.stiffness is missing"));
     CHECK(has(message_of(springs + "[fabric]\ndensity = 1\n"),
-              "storm.toml:4: fabric: the material is given by [springs]"));
+              "storm.toml:4: the material is given by [springs] and [fabric]"));
     CHECK_NOTHROW(parse_scene("[fabric]\n", "storm.toml"));
 }
 
@@ -387,7 +388,19 @@ TEST_CASE("cells that springs of the fabric cannot have are refused, with the ne
     CHECK(has(message(21, 6, "0.5"), "storm.toml:7: fabric.diagonal_share = 0.5: "));
     CHECK(has(message(21, 6, "0.5"), "1.73 times"));
     CHECK(has(message(21, 6, "0.5"), "18 x 6"));  // 17 cells for 20: less of a change than 6 rows of cells for 5
-    CHECK(has(message(60, 11, "0.5"), "35 x 11"));
+    CHECK(has(message(61, 11, "0.5"), "46 x 14"));
+    CHECK(has(message(46, 30, "10"), "1.0488 times"));
+    // Where no other number of one side alone does: 1.5 m x 1 m on 3 x 2 masses, 1.5 m x 0.9 m on 45 x 30.
+    const auto fitting = [](int columns, int rows, double height, double share) {
+        Scene scene;
+        scene.springs.reset();
+        scene.fabric = Fabric{.diagonal_share = share};
+        scene.flag.columns = columns, scene.flag.rows = rows, scene.flag.height = height;
+        CHECK_FALSE(do_cells_fit(scene));
+        return fitting_grid(scene);
+    };
+    CHECK(fitting(3, 2, 1.0, 3.0) == std::pair{4, 3});
+    CHECK(fitting(45, 30, 0.9, 10.0) == std::pair{46, 29});
     CHECK(message(400, 2, "\"off\"").empty());
     CHECK(has(message(2, 1, "0.1"), "flag.rows = 1: a fabric has two rows"));
     CHECK(has(message(1, 2, "0.1"), "flag.columns = 1: a fabric has two rows"));
@@ -602,7 +615,7 @@ TEST_CASE("an assignment may be said as people say it, and is refused as in a fi
     CHECK(has(refused("time.method=xpbdd"), "--set time.method = \"xpbdd\": \"forward-euler\""));
     CHECK(has(refused("springs=off"), "the material is missing"));
     CHECK(has(refused("springs=none"), "--set springs = \"none\": a table is expected"));
-    CHECK(has(refused("fabric=on"), "--set fabric: fabric: the material is given by [springs] too"));
+    CHECK(has(refused("fabric=on"), "--set fabric: the material is given by [springs] and [fabric]"));
     CHECK(has(refused("springs.mass=off"), "--set springs.mass = \"off\": a number"));
     CHECK(has(refused("limit=on"), "--set limit: limit.stretch is missing"));
     CHECK(has(refused("flag.columns=9223372036854775808"), "--set flag.columns = 9223372036854775808"));

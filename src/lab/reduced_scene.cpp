@@ -33,15 +33,16 @@ std::size_t changed_by(const SceneLine& line, const std::vector<Lines>& stages) 
 std::string reduced_scene_text(const Scene& given, const std::vector<LeftOut>& left_out,
                                const std::vector<std::string>& heading) {
     std::vector<Lines> stages;
-    for (const LeftOut& part : left_out) stages.push_back(scene_lines(part.without));
+    for (const LeftOut& part : left_out) stages.push_back(scene_lines(part.without, true));
     std::vector<std::string> said(stages.size());  // where the remark on each stands
     std::string text = scene_heading;
     for (const std::string& line : heading) text += "# " + line + "\n";
-    for (const SceneLine& line : scene_lines(given)) {
+    const Lines own = scene_lines(given);
+    for (const SceneLine& line : scene_lines(given, true)) {
         if (line.key.empty()) text += "\n";
         const std::size_t by = changed_by(line, stages);
         if (by == stages.size()) {
-            text += line.text(line.comment) + "\n";
+            if (find(own, line)) text += line.text(line.comment) + "\n";
             continue;
         }
         const bool names_table = line.key.empty();

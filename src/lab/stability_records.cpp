@@ -34,11 +34,11 @@ Scene with_springs(const Scene& scene, double stiffness, std::optional<double> d
     if (other.fabric) {
         other.fabric->stretch_modulus *= stiffness / model_of(scene).springs.stiffness;
         other.fabric->damping_time = damping ? std::optional(*damping / stiffness) : std::nullopt;
-    } else {
-        other.springs->stiffness = stiffness;
-        if (auto& diagonal = other.springs->diagonal_stiffness) *diagonal *= stiffness / scene.springs->stiffness;
-        other.springs->damping = damping;
+        return other;  // its springs are within their own range, whatever fabric that is
     }
+    other.springs->stiffness = stiffness;
+    if (auto& diagonal = other.springs->diagonal_stiffness) *diagonal *= stiffness / scene.springs->stiffness;
+    other.springs->damping = damping;
     check_scene(other);
     return other;
 }

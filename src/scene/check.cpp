@@ -7,7 +7,6 @@
 #include "scene/settings.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <unistd.h>
 
@@ -63,17 +62,14 @@ std::optional<SceneFault> find_fault_of_cells(const Scene& scene) {
                           "a fabric has two rows and columns at least; give a chain as [springs]"};
     }
     if (do_cells_fit(scene)) return {};
-    const auto columns = fitting_columns(scene), rows = fitting_rows(scene);
-    const auto grid = [](int c, int r) { return std::to_string(c) + " x " + std::to_string(r); };
-    std::string nearest = ", and no grid has them";
-    const auto change = [](int from, int to) { return std::abs(std::log((to - 1.0) / (from - 1.0))); };
-    if (rows && (!columns || change(flag.rows, *rows) <= change(flag.columns, *columns)))
-        nearest = "; the nearest grid that has them is " + grid(flag.columns, *rows);
-    else if (columns)
-        nearest = "; the nearest grid that has them is " + grid(*columns, flag.rows);
+    const auto grid = fitting_grid(scene);
+    const std::string nearest = grid ? "; the nearest grid that has them is " + std::to_string(grid->first) + " x " +
+                                           std::to_string(grid->second)
+                                     : ", and no grid has them";
+    const double longest = longest_cell(*scene.fabric);
     return SceneFault{"fabric", "diagonal_share", shortest(*scene.fabric->diagonal_share),
-                      "cells at most " + rounded(longest_cell(*scene.fabric), 3) +
-                          " times as long as wide, or as wide as long, can resist so" + nearest};
+                      "its springs need cells at most " + rounded(longest, longest < 1.1 ? 5 : 3) +
+                          " times as long as wide, or as wide as long" + nearest};
 }
 
 }  // namespace
@@ -100,8 +96,7 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
     if (!scene.springs && !scene.fabric)
         return SceneFault{"", "", "", "the material is missing: [springs] or [fabric]"};
     if (scene.springs && scene.fabric) {
-        return SceneFault{"fabric", "", "",
-                          "the material is given by [springs] too; leave out one of them (springs=off or fabric=off)"};
+        return SceneFault{"", "", "", two_materials};
     }
     const FlagSettings& flag = scene.flag;
     const std::string longer_side = flag.columns >= flag.rows ? "columns" : "rows";

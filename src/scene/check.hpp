@@ -19,6 +19,9 @@ struct SceneFault {
     std::string text() const;
 };
 
+inline constexpr const char* two_materials =
+    "the material is given by [springs] and [fabric]; leave out one of them (springs=off or fabric=off)";
+
 std::optional<SceneFault> find_fault(const Scene& scene);
 
 /// Bytes a run of this many masses takes, all its copies included.

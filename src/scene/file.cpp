@@ -133,7 +133,10 @@ std::optional<std::string> table_of(std::string_view key) {
 
 /// Why a name does not belong here, and what may have been meant.
 std::string unknown_text(std::string_view name, std::span<const std::string_view> known) {
-    if (const auto meant = nearest(name, known)) return "; did you mean " + std::string(*meant) + "?";
+    const auto longer =
+        std::find_if(known.begin(), known.end(), [&](auto k) { return k.starts_with(std::string(name) + "_"); });
+    const auto meant = longer != known.end() ? std::optional(*longer) : nearest(name, known);
+    if (meant) return "; did you mean " + std::string(*meant) + "?";
     if (const auto table = table_of(name)) return "; it belongs under [" + *table + "]";
     std::string list;
     for (const auto& candidate : known) list += (list.empty() ? "; known here: " : ", ") + std::string(candidate);
@@ -187,6 +190,8 @@ void begin(Settings&, const toml::table&) {}
 
 void read_tables(const toml::table& root, Scene& scene, const std::string& origin) {
     scene.springs.reset();
+    if (const toml::node* fabric = root.get("fabric"); fabric && root.get("springs"))
+        fail(origin, *fabric, two_materials);
     each_table(scene, [&](const std::string& table, auto& settings, const auto& keys) {
         if (table.empty()) {
             read_keys(root, table, *listed(settings), keys, origin);

@@ -41,7 +41,7 @@ struct SceneLine {
 
     std::string text(const std::string& note) const;  // without the line break; `note` is its comment
 };
-std::vector<SceneLine> scene_lines(const Scene& scene);
+std::vector<SceneLine> scene_lines(const Scene& scene, bool with_implied = false);
 inline constexpr const char* scene_heading =
     "# A scene of drapeau: what is listed is modelled, what is left out is not.\n";
 

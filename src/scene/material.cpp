@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace drapeau {
 
@@ -17,13 +18,23 @@ double slenderness(const FlagSettings& flag) {
     return grid.pitch_x / grid.pitch_y;
 }
 
+constexpr int most_masses = 4096;  // along a side
+
 /// The count of masses along one side nearest to the one there is, such that cells are between 1/longest and longest of
 /// what they are wide; `cells` is their number on that side for square ones.
 std::optional<int> nearest_count(double cells, double longest, int now) {
     const double least = std::max(1.0, std::ceil(cells / (within * longest)));
-    const double most = std::min(4095.0, std::floor(cells * within * longest));
+    const double most = std::min(most_masses - 1.0, std::floor(cells * within * longest));
     if (!(least <= most)) return {};
     return static_cast<int>(std::clamp(static_cast<double>(now - 1), least, most)) + 1;
+}
+std::optional<int> fitting_rows(const Scene& scene, int columns) {
+    const FlagSettings& flag = scene.flag;
+    return nearest_count((columns - 1) * flag.height / flag.width, longest_cell(*scene.fabric), flag.rows);
+}
+std::optional<int> fitting_columns(const Scene& scene, int rows) {
+    const FlagSettings& flag = scene.flag;
+    return nearest_count((rows - 1) * flag.width / flag.height, longest_cell(*scene.fabric), flag.columns);
 }
 
 }  // namespace
@@ -34,20 +45,27 @@ bool do_cells_fit(const Scene& scene) {
     return std::max(ratio, 1.0 / ratio) <= longest;
 }
 
-std::optional<int> fitting_rows(const Scene& scene) {
+std::optional<std::pair<int, int>> fitting_grid(const Scene& scene) {
     const FlagSettings& flag = scene.flag;
-    return nearest_count((flag.columns - 1) * flag.height / flag.width, longest_cell(*scene.fabric), flag.rows);
-}
-std::optional<int> fitting_columns(const Scene& scene) {
-    const FlagSettings& flag = scene.flag;
-    return nearest_count((flag.rows - 1) * flag.width / flag.height, longest_cell(*scene.fabric), flag.columns);
+    const auto change = [](int from, int to) { return std::abs(std::log((to - 1.0) / (from - 1.0))); };
+    std::optional<std::pair<int, int>> nearest;
+    double least = INFINITY;
+    for (int columns = 2; columns <= most_masses; ++columns)
+        if (const auto rows = fitting_rows(scene, columns)) {
+            const double all = change(flag.columns, columns) + change(flag.rows, *rows);
+            if (all < least) least = all, nearest = {columns, *rows};
+        }
+    return nearest;
 }
 
 void fit_cells(Scene& scene, const FlagSettings& before) {
     if (do_cells_fit(scene)) return;
-    const bool are_rows_given = scene.flag.rows != before.rows;
-    if (const auto count = are_rows_given ? fitting_columns(scene) : fitting_rows(scene))
-        (are_rows_given ? scene.flag.columns : scene.flag.rows) = *count;
+    FlagSettings& flag = scene.flag;
+    const bool are_rows_given = flag.rows != before.rows;
+    if (const auto count = are_rows_given ? fitting_columns(scene, flag.rows) : fitting_rows(scene, flag.columns))
+        (are_rows_given ? flag.columns : flag.rows) = *count;
+    else if (const auto grid = fitting_grid(scene))
+        std::tie(flag.columns, flag.rows) = *grid;
 }
 
 void give_as_fabric(Scene& scene) {

@@ -4,17 +4,19 @@
 #include "scene/scene.hpp"
 
 #include <optional>
+#include <utility>
 
 namespace drapeau {
 
 /// Whether the cells are no longer than the scene's fabric can have; always where it has none.
 bool do_cells_fit(const Scene& scene);
 
-/// The rows nearest to the scene's with which its cells fit, or the columns; nothing where no number of them does.
-std::optional<int> fitting_rows(const Scene& scene);
-std::optional<int> fitting_columns(const Scene& scene);
+/// The columns and rows nearest to the scene's, by the change of their cells' numbers in ratio, with which its cells
+/// fit; nothing where none do.
+std::optional<std::pair<int, int>> fitting_grid(const Scene& scene);
 
-/// Makes cells fit that a change of the flag made too long: by the rows, or where those were changed by the columns.
+/// Makes cells fit that a change of the flag made too long: by the rows, or where those were changed by the columns; by
+/// both where one does not suffice.
 void fit_cells(Scene& scene, const FlagSettings& before);
 
 /// The material given the other way: the same but for borders, and for springs that a fabric has not or cells that are

@@ -25,7 +25,9 @@ inline constexpr std::tuple scene_keys{
 inline constexpr std::tuple flag_keys{
     Key{"columns", &FlagSettings::columns,
         About{"Columns", "", "masses along the fly, away from the pole",
-              "More columns show finer folds, take more time and make the flag heavier: every mass weighs the same."},
+              "More columns show finer folds and take more time. Of springs they make the flag heavier, for every mass "
+              "weighs "
+              "the same; of a fabric the cloth stays the same."},
         Range{1, 4096}, Control{{1, 200}}},
     Key{"rows", &FlagSettings::rows,
         About{"Rows", "", "masses along the hoist, down the pole", "More rows do the same."}, Range{1, 4096},

@@ -24,7 +24,6 @@ template <class Settings, class Value>
 std::optional<SceneLine> line_of(const std::string& table, const Settings& settings,
                                  const settings::Key<Settings, Value>& field) {
     const Value& value = settings.*field.member;
-    if (is_implied(settings, field)) return {};
     SceneLine line{table, std::string(field.key), "", std::string(field.about.unit), settings::comment_of(field.about)};
     if constexpr (requires { value.has_value(); }) {
         if (!value && field.absent.empty()) return {};
@@ -45,13 +44,14 @@ std::string SceneLine::text(const std::string& note) const {
     return line + "# " + note;
 }
 
-std::vector<SceneLine> scene_lines(const Scene& scene) {
+std::vector<SceneLine> scene_lines(const Scene& scene, bool with_implied) {
     std::vector<SceneLine> lines;
     settings::each_table(scene, [&](const std::string& table, const auto& settings, const auto& keys) {
         const auto* values = settings::listed(settings);
         if (!values) return;
         if (!table.empty()) lines.push_back({table, "", "", "", ""});
         settings::each_key(keys, [&](const auto& field) {
+            if (is_implied(*values, field) && !with_implied) return;
             if (auto line = line_of(table, *values, field)) lines.push_back(std::move(*line));
         });
     });
