@@ -71,15 +71,15 @@ double measured_unit(const Model& model) {
     constexpr long long most_steps = 64;  // of one of several measurements
     const auto engine = make_engine(model, method_id<Rk4>, Precision::double_precision);
     const double dt = std::min(0.1 * stable_step(Rk4{}, model).seconds(), batch_seconds);
-    // The least of several: whatever else the machine does comes and goes.
-    const double began = wall_seconds();
+    // The least of several, of this thread's own time: whatever else the machine does comes and goes.
+    const double began = thread_seconds();
     double least = INFINITY;  // s a step
     long long done = 0;
-    for (long long steps = 1; wall_seconds() - began < long_enough; steps = std::min(2 * steps, most_steps)) {
+    for (long long steps = 1; thread_seconds() - began < long_enough; steps = std::min(2 * steps, most_steps)) {
         Report report;
-        const double before = wall_seconds();
+        const double before = thread_seconds();
         engine->advance({.dt = dt}, done, done + steps, no_step, report, nullptr);
-        least = std::min(least, (wall_seconds() - before) / static_cast<double>(steps));
+        least = std::min(least, (thread_seconds() - before) / static_cast<double>(steps));
         done += steps;
     }
     return least / engine->step_cost();
