@@ -442,10 +442,11 @@ TEST_CASE("what price leaves out of a fabric that has it by its name is left out
     bench.write("drum.toml",
                 "[flag]\ncolumns = 4\nrows = 4\nwidth = 0.9\nheight = 0.9\nattach = \"edges\"\n"
                 "[fabric]\n[gravity]\nacceleration = [0, 0, -9.8]\n");
-    REQUIRE(bench
-                .run("price drum.toml --budget " + std::string(sanitized ? "2" : "0.1") +
-                     " --settle 0 --seconds 0.1 --tolerance 1m --write less.toml")
-                .status <= 1);
+    const Outcome outcome = bench.run("price drum.toml --budget " + std::string(sanitized ? "2" : "0.1") +
+                                      " --settle 0 --seconds 0.1 --tolerance 1m --write less.toml");
+    INFO(outcome.output << outcome.messages);
+    if (sanitized && outcome.status == 1) return;  // what saves time there is anybody's guess
+    REQUIRE(outcome.status == 0);
     const std::string text = contents(bench.path / "less.toml");
     const Scene less = parse_scene(text, "less.toml");
     int left_out = 0;
@@ -456,6 +457,6 @@ TEST_CASE("what price leaves out of a fabric that has it by its name is left out
     };
     check("diagonal_share", less.fabric->diagonal_share);
     check("damping_time", less.fabric->damping_time);
-    if (!sanitized) CHECK(left_out > 0);  // what saves time there is anybody's guess
+    CHECK(left_out > 0);
     CHECK_FALSE(has(text, "density"));
 }

@@ -135,8 +135,9 @@ TEST_CASE("Where implicit Euler leaves most of its steps unsolved, that is said 
 }
 
 TEST_CASE("Implicit Euler takes a thirtieth of a second on every shipped scene", "[physics]") {
-    constexpr int steps = sanitized ? 6 : 60;
-    for (const auto& name : {"report", "breeze", "calm", "storm", "banner", "drop", "drum", "spring"}) {
+    std::vector<const char*> names{"report", "spring"};
+    if (!sanitized) names.insert(names.end(), {"breeze", "calm", "storm", "banner", "drop", "drum"});
+    for (const char* name : names) {
         Scene scene = read_scene(find_scene(name));
         scene.flag.start = Start::flat;  // settling takes its time and is tested elsewhere
         scene.time.method = method_id<ImplicitEuler>;
@@ -144,14 +145,14 @@ TEST_CASE("Implicit Euler takes a thirtieth of a second on every shipped scene",
         Simulation simulation(scene);
         simulation.use_exact_dt();
         INFO(name);
-        CHECK_FALSE(simulation.advance_steps(steps));
+        CHECK_FALSE(simulation.advance_steps(60));
         CHECK_FALSE(simulation.check());
         const Readings readings = simulation.readings();
         CHECK(std::isfinite(readings.kinetic_energy));
         CHECK(readings.max_stretch < 0.5);  // no explicit method gets anywhere at such a step
         const Solves& solves = simulation.solves();
-        CHECK(solves.steps == steps);
-        if (!sanitized) CHECK(solves.unsolved <= 6);  // steps in which the cloth snaps over; their residual is reported
+        CHECK(solves.steps == 60);
+        CHECK(solves.unsolved <= 6);  // steps in which the cloth snaps over; their residual is reported
     }
 }
 

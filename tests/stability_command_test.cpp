@@ -128,3 +128,22 @@ TEST_CASE("what stability cannot do is refused before work, in one line") {
     check_refused(bench.run("stability"), "SCENE");
     CHECK(has(bench.run("stability --help").output, "Example: drapeau-lab stability"));
 }
+
+TEST_CASE("of a fabric the springs along the fly are varied, beyond what a scene may say of it too") {
+    const Bench bench;
+    // Cells of 0.1 m x 0.08 m: k = Y (1 + s)/(1 + 2s) = 275 N/m, k_x = k [(1 + s) b/a - s a/b].
+    bench.write("cloth.toml",
+                "[flag]\ncolumns = 5\nrows = 4\nwidth = 0.4\nheight = 0.24\n"
+                "[fabric]\nstretch_modulus = 300\ndiagonal_share = 0.1\ndamping_time = 0.001\n");
+    const double k = 275.0 * (1.1 * 0.8 - 0.1 / 0.8);
+    int at_its_own = 0;
+    for (const Json& limit : limits_of(bench, "cloth.toml --methods leapfrog --stiffness 0.0001,207.625 --damping 0")) {
+        INFO(limit);
+        const double stiffness = limit["stiffness"], damping = limit["damping"];
+        CHECK((stiffness == Approx(1e-4) || stiffness == Approx(k)));  // a damping time of 35 minutes at the first
+        CHECK((damping == Approx(0.001 * k) || damping == 0.0));
+        CHECK(limit["measured_dt"].get<double>() == Approx(limit["theory_dt"].get<double>()).epsilon(one_per_cent));
+        at_its_own += stiffness == Approx(k) && damping == Approx(0.001 * k);
+    }
+    CHECK(at_its_own == 1);
+}

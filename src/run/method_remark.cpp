@@ -10,7 +10,7 @@ namespace drapeau {
 double softness(Method method, const Model& model, double dt) {
     return with_method(method, [&]<class M>(const M&) {
         if constexpr (requires { M::softness(1.0, 1.0, dt); })
-            return M::softness(model.springs.stiffness, model.springs.mass, dt);
+            return M::softness(model.springs.stiffest(), model.springs.mass, dt);
         else
             return 1.0;
     });

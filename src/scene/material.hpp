@@ -19,8 +19,8 @@ std::optional<std::pair<int, int>> fitting_grid(const Scene& scene);
 /// both where one does not suffice.
 void fit_cells(Scene& scene, const FlagSettings& before);
 
-/// The material given the other way: the same but for borders, and for springs that a fabric has not or cells that are
-/// not square make unlike.
+/// The material given the other way: the same on square cells but for borders and friction, which a fabric has none of.
+/// On others a fabric's springs along the fly and along the hoist differ; springs have their geometric mean.
 void give_as_fabric(Scene& scene);
 void give_as_springs(Scene& scene);
 

@@ -16,7 +16,8 @@ void choose_material(AppState& app, Widgets& widgets) {
     int index = app.scene.fabric ? 1 : 0;
     if (!widgets.choice("Material", index, {"springs", "fabric"}, app.origin.fabric ? 1 : 0,
                         "Springs: every mass and spring by itself, so that another grid is another cloth. Fabric: the "
-                        "same cloth on every grid. A change leaves the flag about as it is."))
+                        "same cloth on every grid. A change leaves the flag about as it is, but for friction, which a "
+                        "fabric has none of."))
         return;
     index == 1 ? give_as_fabric(app.scene) : give_as_springs(app.scene);
     app.diagonals.reset();
