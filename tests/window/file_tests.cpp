@@ -155,20 +155,26 @@ TEST_CASE("a flag that starts hanging settles in sight, and the window lives mea
     const std::string slow =
         "name = \"Slow\"\n[flag]\ncolumns = 200\nrows = 200\nattach = \"grommets\"\nstart = \"hanging\"\n"
         "[springs]\nmass = 1e-5\nstiffness = 1000.0\ndiagonal_stiffness = 500.0\n[gravity]\n";
-    App app(screen, {written(folder, "slow.toml", slow), "--size", "900x800"});
-    const Look settling = app.wait_until("settling", [](const Look& look) { return look.number("settling") == 1; });
-    const Look later =
-        app.wait_until("frames", [&](const Look& look) { return look.number("frame") > settling.number("frame") + 3; });
-    CHECK(later.number("time") == 0.0);
-    // Another scene does not wait for it.
+    App app(screen, {"drum", "--size", "900x800"});
     app.click("Page: Time");
     app.show("Scene file");
-    app.type("Scene file", "drum");
-    app.wait_until("the drum", [](const Look& look) { return look.text("scene") == "Drum"; });
-    CHECK(app.settle().number("settling") == 0);
-    // Nor does one that is opened while another settles.
-    app.type("Scene file", folder / "slow.toml");
-    app.wait_until("settling", [](const Look& look) { return look.number("settling") == 1; });
+    const auto is_settling = [](const Look& look) { return look.number("settling") == 1; };
+    const auto open_slow = [&] {
+        app.type("Scene file", written(folder, "slow.toml", slow));
+        return app.wait_until("settling", is_settling);
+    };
+    // How long it settles is the machine's affair: what was seen until its end counts.
+    const Look first = open_slow();
+    Look last = first;
+    app.wait_until("the flag at rest", [&](const Look& look) {
+        if (!is_settling(look)) return true;
+        last = look;
+        return false;
+    });
+    CHECK(last.number("time") == first.number("time"));
+    CHECK(last.number("frame") > first.number("frame"));
+    // Another scene does not wait for it.
+    open_slow();
     app.type("Scene file", "report");
     app.wait_until("the report", [](const Look& look) { return look.text("scene") == "Report"; });
     CHECK(app.settle().number("settling") == 0);
