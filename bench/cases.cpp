@@ -30,6 +30,7 @@ constexpr Listing springs_alone{.gravity = false, .drag = false, .wind = Blowing
 constexpr Listing limit{.limit = true};
 constexpr Listing faces{.drag = false, .faces = true};
 constexpr Listing faces_travelling{.drag = false, .wind = Blowing::travelling_x, .faces = true};
+constexpr Listing bent{.bending = true};
 constexpr Listing travelling_x{.wind = Blowing::travelling_x};
 constexpr Listing travelling_xy{.wind = Blowing::travelling_xy};
 
@@ -55,6 +56,7 @@ std::vector<std::string> Listing::names() const {
     if (wind != Blowing::still) names.push_back("wind");
     if (limit) names.push_back("limit");
     if (faces) names.push_back("air on faces");
+    if (bending) names.push_back("bending");
     return names;
 }
 
@@ -73,6 +75,7 @@ std::string Listing::label() const {
     add(still, "wind");
     add(limit, "limit");
     add(faces, "air");
+    add(bending, "bending");
     add(wind == Blowing::travelling_x, "travelling");
     add(wind == Blowing::travelling_xy, "travelling-down");
     return label.empty() ? "all" : label;
@@ -138,7 +141,7 @@ std::vector<Case> all_cases() {
                 for (const Listing& listing : {limit, travelling_x, travelling_xy})
                     add(Work::step, size, precision, listing);
             if (is_one_of(size, faces_sizes))
-                for (const Listing& listing : {faces, faces_travelling}) add(Work::step, size, precision, listing);
+                for (const Listing& listing : {faces, faces_travelling, bent}) add(Work::step, size, precision, listing);
         }
     for (const Work work : {Work::watched, Work::accounted, Work::measure, Work::mode})
         for (const Size& size : watched_sizes)
@@ -181,6 +184,7 @@ Scene scene_of(const Case& c) {
             break;
     }
     if (listing.faces) scene.terms.add(drapeau::Air{});
+    if (listing.bending) scene.terms.add(Bending{.damping = 200.0});
     if (listing.limit) scene.limits.add(StretchLimit{.stretch = 0.5});
     scene.time.method = c.method;
     scene.time.precision = c.precision;

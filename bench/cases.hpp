@@ -29,6 +29,7 @@ struct Listing {
     Blowing wind = Blowing::steady;
     bool limit = false;
     bool faces = false;  // the air on faces, instead of drag
+    bool bending = false;
 
     bool operator==(const Listing&) const = default;
     /// Names of what is there, "structural" first.

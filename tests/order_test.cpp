@@ -112,6 +112,16 @@ TEMPLATE_LIST_TEST_CASE("A method has its order with air on faces too, springs d
     }
 }
 
+TEMPLATE_LIST_TEST_CASE("A method has its order with bending too, braked or not", "[physics]", DoubleCases) {
+    using Method = typename TestType::Method;
+    for (const std::optional<double> damping : {std::optional<double>(), std::optional(50.0)}) {
+        const Springs& springs = springs_of[damping ? 3 : 1];
+        Model model = cloth(springs);
+        model.terms.add(Bending{.stiffness = 0.02, .damping = damping});
+        check_orders<Method>(model, springs);
+    }
+}
+
 TEMPLATE_LIST_TEST_CASE("A cloth with light borders follows its own equations", "[physics]", DoubleCases) {
     using Method = typename TestType::Method;
     const Model model = cloth(springs_of[3], Borders::light);

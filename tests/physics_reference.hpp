@@ -87,6 +87,7 @@ public:
         if (const auto& term = model.terms.get<Friction>()) friction_ = term->c_f;
         if (const auto& term = model.terms.get<Wind>()) wind_ = *term;
         if (const auto& term = model.terms.get<Air>()) air_ = *term;
+        bending_ = model.terms.get<Bending>();
     }
 
     const std::vector<Spring>& springs() const { return springs_; }
@@ -140,10 +141,37 @@ public:
                 air_->skin.value_or(0.0) * length(along) * along);
     }
 
+    /// Force (N) on every mass of what its lines bend with, and brake it with: of each three in a line, their own.
+    Points bending_forces(const Points& x, const Points& v) const {
+        Points f(x.size(), glm::dvec3(0.0));
+        if (!bending_) return f;
+        const Grid& grid = model_.grid;
+        const auto bend = [&](int left, int n, int right, double share, double length, double width) {
+            const double k = share * bending_->stiffness * width / std::pow(length, 3);
+            const double c = share * bending_->damping.value_or(0.0) * model_.springs.mass / 16.0;
+            const auto moment = k * (x[left] - 2.0 * x[n] + x[right]) + c * (v[left] - 2.0 * v[n] + v[right]);
+            f[left] -= moment, f[n] += 2.0 * moment, f[right] -= moment;
+        };
+        const bool light = shares_.front() < 1.0;
+        for (int j = 0; j < grid.rows; ++j)
+            for (int i = 0; i < grid.columns; ++i) {
+                const int n = j * grid.columns + i;
+                const bool on_end = light && grid.rows > 1 && (j == 0 || j == grid.rows - 1);
+                const bool on_side = light && grid.columns > 1 && (i == 0 || i == grid.columns - 1);
+                if (i > 0 && i + 1 < grid.columns)
+                    bend(n - 1, n, n + 1, on_end ? 0.5 : 1.0, grid.pitch_x, grid.pitch_y);
+                if (j > 0 && j + 1 < grid.rows)
+                    bend(n - grid.columns, n, n + grid.columns, on_side ? 0.5 : 1.0, grid.pitch_y, grid.pitch_x);
+            }
+        return f;
+    }
+
     /// Acceleration of every mass at time t (s); none where attached.
     Points acceleration(const Points& x, const Points& v, double t) const {
         Points a = forces(x, v);
+        const Points bent = bending_forces(x, v);
         for (int n = 0; n < count_; ++n) {
+            a[n] += bent[n];
             const auto wind = wind_.at(t, model_.grid.rest(n % model_.grid.columns, n / model_.grid.columns));
             a[n] =
                 gravity_ +
@@ -219,6 +247,7 @@ private:
     double drag_ = 0.0, friction_ = 0.0;
     Wind wind_;
     std::optional<Air> air_;
+    std::optional<Bending> bending_;
 };
 
 }  // namespace drapeau::testing

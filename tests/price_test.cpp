@@ -133,6 +133,26 @@ TEST_CASE("the air on faces and each part of it is priced, and moves a sheet tha
     CHECK(term(found, "air.skin")["effect_rms_m"].get<double>() < 1e-6);
 }
 
+TEST_CASE("bending and its damping are priced, and hold a mass between two held ones as in closed form") {
+    // Second differences of three masses whose outer ones stay weigh the middle with 4: 4 B b/a3 = 0.04 N/m on 10 g,
+    // and a quarter of the rate at which the shortest wave is braked. Slack springs add a ten-thousandth of a
+    // millionth.
+    const Bench bench;
+    bench.write("beam.toml",
+                "[flag]\ncolumns = 3\nrows = 1\nwidth = 2\nheight = 1\nattach = \"sides\"\ndisturbance = 0\n"
+                "[springs]\nmass = 0.01\nstiffness = 1e-6\n[bending]\nstiffness = 0.01\ndamping = 8\n"
+                "[gravity]\nacceleration = [0, 0, 0.1]\n");
+    const Json found = price(bench, "beam.toml --settle 0");
+    const double g = 0.1, omega = 2.0;
+    const auto sag = [&](double t, double gamma) {
+        const double w = std::sqrt(omega * omega - gamma * gamma);
+        return g / (omega * omega) * (1.0 - std::exp(-gamma * t) * (std::cos(w * t) + gamma / w * std::sin(w * t)));
+    };
+    check_effect(term(found, "gravity"), [&](double t) { return sag(t, 1.0); });
+    check_effect(term(found, "bending"), [&](double t) { return sag(t, 1.0) - 0.5 * g * t * t; });
+    check_effect(term(found, "bending.damping"), [&](double t) { return sag(t, 1.0) - sag(t, 0.0); });
+}
+
 TEST_CASE("parts of the wind are priced alone: the mean's effect does not depend on gusts") {
     const Bench bench;
     bench.write("fall.toml", fall("[2, 0, 3]") + "travelling = true\n");

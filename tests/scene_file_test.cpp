@@ -332,7 +332,7 @@ TEST_CASE("an unknown key or table is named, with what may have been meant") {
 }
 
 TEST_CASE("what the format reserves for later is refused as not available") {
-    for (const std::string table : {"bending", "ground", "pole"}) {
+    for (const std::string table : {"ground", "pole"}) {
         const std::string message = message_of(springs + "[" + table + "]\n");
         INFO(message);
         CHECK(message.starts_with("storm.toml:4: [" + table + "]: not available in this version"));
@@ -429,6 +429,18 @@ TEST_CASE("air on faces has the values of common air and cloth, and a part of it
     const Model model = model_of(parse_scene(springs + "[air]\n", "x"));
     CHECK(model.air() != nullptr);
     CHECK(model_of(parse_scene(springs, "x")).air() == nullptr);
+}
+
+TEST_CASE("bending has a stiffness and, if asked for, a damping") {
+    const auto bending_of = [](const std::string& keys) {
+        return *parse_scene(springs + "[bending]\n" + keys, "x").terms.get<Bending>();
+    };
+    CHECK(bending_of("") == Bending{.stiffness = 1e-4, .damping = {}});
+    CHECK(bending_of("stiffness = 0.02\ndamping = 30\n") == Bending{.stiffness = 0.02, .damping = 30.0});
+    CHECK(bending_of("damping = \"off\"\n") == Bending{});
+    CHECK(has(message_of(springs + "[bending]\nstiffness = -1\n"), "storm.toml:5: bending.stiffness = -1: "));
+    CHECK(model_of(parse_scene(springs + "[bending]\n", "x")).bending() != nullptr);
+    CHECK(model_of(parse_scene(springs, "x")).bending() == nullptr);
 }
 
 TEST_CASE("a tolerance goes with an automatic step, and one beside a given step is an error") {

@@ -241,6 +241,34 @@ TEST_CASE("Air on faces joins and leaves a run, whatever its method, and its par
     }
 }
 
+TEST_CASE("Bending joins and leaves a run, and so does its damping, whatever the method", "[physics]") {
+    for (const Method method : all_methods()) {
+        Scene scene = small();
+        scene.time.method = method;
+        scene.time.dt = 1e-4;
+        Simulation simulation(scene), without(scene);
+        Scene bent = scene;
+        bent.terms.add(Bending{.stiffness = 0.01});
+        simulation.change(bent);
+        CHECK(masses(simulation) == masses(without));
+        run(simulation, 3), run(without, 3);
+        CHECK(distance(simulation, without) > 1e-6);
+        for (const std::optional<double> damping :
+             {std::optional(20.0), std::optional(40.0), std::optional<double>()}) {
+            const auto state = masses(simulation);
+            bent.terms.get<Bending>()->damping = damping;
+            simulation.change(bent);
+            CHECK(simulation.model().bending()->damping == damping);
+            CHECK(masses(simulation) == state);
+            run(simulation, 1);
+        }
+        const auto state = masses(simulation);
+        simulation.change(scene);
+        CHECK(masses(simulation) == state);
+        run(simulation, 1);
+    }
+}
+
 TEST_CASE("An impossible change is refused and changes nothing", "[physics]") {
     Simulation simulation(small());
     run(simulation, 3);

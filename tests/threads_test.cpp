@@ -90,6 +90,30 @@ TEMPLATE_LIST_TEST_CASE("Any number of threads gives the same bits with air on f
             }
 }
 
+TEMPLATE_LIST_TEST_CASE("Any number of threads gives the same bits with bending, which looks two rows away",
+                        "[physics][threads]", AllCases) {
+    using Tested = Sheet<typename TestType::Real, typename TestType::Method>;
+    constexpr int steps = steps_of<typename TestType::Method>;
+    for (const auto& [columns, rows] : {std::pair{5, 4}, {17, 7}, {4, 41}})
+        for (const bool with_air : {false, true}) {
+            Model model = storm({columns, rows, 0.1, 0.08}, {0.01, 200.0, 100.0, {}}, with_air, false);
+            model.terms.add(Bending{.stiffness = 0.02, .damping = 50.0});
+            if (with_air) model.terms.add(Air{});
+            const auto x = scattered(model.grid, 0.015), v = noise(masses_of(model), 1.0);
+            Tested alone(model, x, v);
+            const Report report = alone.advance(dt, steps, steps / 2);
+            const Measurement measured = alone.measure();
+            for (const int threads : {2, 3, 5}) {
+                if (sanitized && threads == 3) continue;
+                Tested shared(model, x, v);
+                shared.stepper.use_threads(threads);
+                CHECK(same(shared.advance(dt, steps, steps / 2), report));
+                CHECK(same_bits(alone, shared));
+                CHECK(same(shared.measure(), measured));
+            }
+        }
+}
+
 TEMPLATE_LIST_TEST_CASE("The number of threads may change on the way", "[physics][threads]", AllCases) {
     using Tested = Sheet<typename TestType::Real, typename TestType::Method>;
     constexpr int steps = steps_of<typename TestType::Method>;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drapeau/air_rows.hpp"
+#include "drapeau/bending_rows.hpp"
 #include "drapeau/method.hpp"
 #include "drapeau/pass_row.hpp"
 #include "drapeau/sweep.hpp"
@@ -31,7 +32,8 @@ DRAPEAU_INLINE void for_rows(const Pass<typename Lanes<V>::Real>& pass, Finish&&
     sweep.begin();
     sweep.operation = fresh;
     const bool at_top = pass.above[0].x == nullptr, at_bottom = pass.below[0].x == nullptr;
-    const int first = at_top ? pass.first : pass.first - pass.halo, seen_last = at_bottom ? pass.last : pass.last + 1;
+    const int first = at_top ? pass.first : pass.first - Operation::reach,
+              seen_last = at_bottom ? pass.last : pass.last + 1;
     PassRow<Real, fields> here(pass, first), next = here;
     for (int j = first; j < pass.last; ++j) {
         if (pass.accelerate) pass.accelerate(pass.terms, j, pass.time);
@@ -74,8 +76,10 @@ void advance_rows(const Pass<typename Lanes<V>::Real>& pass) {
 template <class V, bool damped, bool diagonals, int fields, int seen_position, int seen_velocity, class Move>
 DRAPEAU_INLINE void for_rows_accounted(const Pass<typename Lanes<V>::Real>& pass, double share, Move&& move) {
     using L = Lanes<V>;
+    using Real = typename L::Real;
     V external{}, damping{};
     Vec3<V> drift{};
+    Field<Real> bent = pass.bent.x ? pass.bent.row(pass.first) : pass.bent;  // a halo's values are not counted
     for_rows<V, SpringForceParts<V, damped>, diagonals, fields, seen_position, seen_velocity>(
         pass,
         [&](const auto& row, const auto& constants, int i, const Parts<V>& force) DRAPEAU_INLINE_LAMBDA {
@@ -83,7 +87,9 @@ DRAPEAU_INLINE void for_rows_accounted(const Pass<typename Lanes<V>::Real>& pass
             const auto springs = force.elastic + force.damping;
             const auto a = acceleration_of(springs, w, row.pushed.template at<V>(i));
             const auto motion = move(Masses<V>{row.field, i}, constants, a);
-            external = external + m * dot(motion.acceleration - w * springs, motion.velocity);
+            auto pushed = motion.acceleration - w * springs;
+            if (pass.bent.x) pushed = pushed - bent.template at<V>(i);
+            external = external + m * dot(pushed, motion.velocity);
             damping = damping + dot((m * w) * force.damping, motion.velocity);
             drift = drift + m * motion.velocity;
         },
@@ -96,6 +102,7 @@ DRAPEAU_INLINE void for_rows_accounted(const Pass<typename Lanes<V>::Real>& pass
                 pass.sums[j].drift[1] += step * sum_of(drift.y);
                 pass.sums[j].drift[2] += step * sum_of(drift.z);
             }
+            if (j >= pass.first && pass.bent.x) bent = pass.bent.row(j + 1);
             external = damping = V{};
             drift = Vec3<V>{};
         });
@@ -122,6 +129,7 @@ void measure_rows(const Pass<typename Lanes<V>::Real>& pass) {
     const Real dt = pass.dt;
     V kinetic{}, kinetic_now{}, power{};
     Vec3<V> moment{};
+    Field<Real> bent = pass.bent.x ? pass.bent.row(pass.first) : pass.bent;  // a halo's values are not counted
     for_rows<V, SpringGauge<V, damped>, diagonals, fields, 0, Method::template seen_velocity<damped>>(
         pass,
         [&](const auto& row, const RowConstants<Real>& constants, int i, const Parts<V>& force) DRAPEAU_INLINE_LAMBDA {
@@ -136,7 +144,9 @@ void measure_rows(const Pass<typename Lanes<V>::Real>& pass) {
                 kinetic = kinetic + m * dot(v, v);
             const auto centred = v + pass.half_kick * a;
             kinetic_now = kinetic_now + m * dot(centred, centred);
-            power = power + m * dot(a - w * force.elastic, v);
+            auto but_stored = a - w * force.elastic;
+            if (pass.bent.x) but_stored = but_stored - bent.template at<V>(i);
+            power = power + m * dot(but_stored, v);
             moment = moment + m * row.field[0].template at<V>(i);
         },
         [&](int j, const auto& gauge) DRAPEAU_INLINE_LAMBDA {
@@ -145,13 +155,14 @@ void measure_rows(const Pass<typename Lanes<V>::Real>& pass) {
                 sums.kinetic = 0.5 * sum_of(kinetic);
                 sums.kinetic_now = 0.5 * sum_of(kinetic_now);
                 sums.power = sum_of(power);
-                sums.elastic = sum_of(gauge.elastic);
+                sums.elastic = sum_of(gauge.elastic) + (pass.bent.x ? sums.bending : 0.0);
                 sums.stretch = sum_of(gauge.stretch);
                 sums.max_stretch = max_of(gauge.max_stretch);
                 sums.max_force = max_of(gauge.max_force);
                 sums.force_squares = sum_of(gauge.force_squares);
                 sums.moment[0] = sum_of(moment.x), sums.moment[1] = sum_of(moment.y), sums.moment[2] = sum_of(moment.z);
             }
+            if (j >= pass.first && pass.bent.x) bent = pass.bent.row(j + 1);
             kinetic = kinetic_now = power = V{};
             moment = Vec3<V>{};
         });
@@ -240,6 +251,10 @@ constexpr Kernels<typename Lanes<V>::Real> kernels_of() {
     k.air[0][1] = &air_rows<V, false, true>;
     k.air[1][1] = &air_rows<V, true, true>;
     k.air_rate = &air_rate_rows<V>;
+    k.bending[0][0] = &bending_rows<V, false, false>;
+    k.bending[0][1] = &bending_rows<V, false, true>;
+    k.bending[1][0] = &bending_rows<V, true, false>;
+    k.bending[1][1] = &bending_rows<V, true, true>;
     k.stiffness = &stiffness_rows<V, damped, diagonals>;
     k.measure = &measure_rows<V, typename Method::Looks, damped, diagonals>;
     k.evaluate = &evaluate_rows<V, typename Method::Looks, damped, diagonals>;

@@ -31,7 +31,9 @@ template <class Real>
 struct Body {
     Body(const Model& of, const Kernels<Real>& by)
         : model(of), kernels(by), rows(of), sums(static_cast<std::size_t>(of.grid.rows)) {
-        if (model.terms.template get<Air>()) pushed = FieldBuffer<Real>(model.grid.columns, model.grid.rows);
+        const bool bends = model.terms.template get<Bending>().has_value();
+        if (bends || model.terms.template get<Air>()) pushed = FieldBuffer<Real>(model.grid.columns, model.grid.rows);
+        if (bends) bent = FieldBuffer<Real>(model.grid.columns, model.grid.rows), halo_rows = bending_reach;
         for (int f = 0; f < kernels.fields; ++f) fields.emplace_back(model.grid.columns, model.grid.rows, f);
     }
     Body(const Body&) = delete;
@@ -40,20 +42,21 @@ struct Body {
     Kernels<Real> kernels;
     ModelRows<Real> rows;
     std::vector<FieldBuffer<Real>> fields;  // position, velocity and what the method keeps
-    FieldBuffer<Real> pushed;  // what terms push each mass with; empty but with a term that sees where masses are
-    Array<RowSums> sums;       // not std's: its functions would be shared between instruction sets (isa.hpp)
+    // What terms push each mass with, and of that what bending stores; empty but with terms that see where masses are.
+    FieldBuffer<Real> pushed, bent;
+    int halo_rows = SpringForce<Real, true>::reach;
+    Array<RowSums> sums;  // not std's: its functions would be shared between instruction sets (isa.hpp)
 };
 
 template <class Real>
 class Block {
 public:
-    static constexpr int halo_rows = SpringForce<Real, true>::reach;
-
     /// Block `number` of `count` blocks of about as many rows each.
     Block(Body<Real>& body, int number, int count)
         : body_(body),
           first_(static_cast<int>(1LL * body.model.grid.rows * number / count)),
           last_(static_cast<int>(1LL * body.model.grid.rows * (number + 1) / count)),
+          halo_rows_(body.halo_rows),
           waiting_(body.rows.width()),
           acceleration_(body.model.grid.columns, 1),
           wind_(body.model.grid.columns, 1),
@@ -61,8 +64,8 @@ public:
         std::fill(ones_.begin(), ones_.end(), Real(1));
         for (int parity = 0; parity < 2; ++parity)
             for (int f = 0; f < body.kernels.fields; ++f) {
-                if (number > 0) above_[parity].emplace_back(body.model.grid.columns, halo_rows, f);
-                if (number + 1 < count) below_[parity].emplace_back(body.model.grid.columns, halo_rows, f);
+                if (number > 0) above_[parity].emplace_back(body.model.grid.columns, halo_rows_, f);
+                if (number + 1 < count) below_[parity].emplace_back(body.model.grid.columns, halo_rows_, f);
             }
     }
     Block(const Block&) = delete;
@@ -90,7 +93,7 @@ public:
             for (int n = 0; n < k.passes; ++n) {
                 p.time = clock.at(step) + k.stage_time[n] * clock.dt;
                 use_halos(p, parity);
-                push(p, k.seen_position, k.seen_velocity);
+                push(p, k.seen_position, k.seen_velocity, step == accounted);
                 kernels[n](p);
                 parity = 1 - parity;
                 if (n + 1 == k.passes) after_the_move(step);
@@ -105,7 +108,7 @@ public:
         Pass<Real> p = pass(dt);
         look_beyond(p);
         p.time = now;
-        push(p, 0, body_.kernels.looked_velocity);
+        push(p, 0, body_.kernels.looked_velocity, true);
         p.out = out;
         kernel(p);
     }
@@ -115,7 +118,11 @@ public:
         Pass<Real> p = pass(0.0);
         look_beyond(p);
         p.time = now;
-        in_air(p, 0, 1, body_.kernels.air_rate);
+        if (body_.model.varies_by_row())
+            p.accelerate = &accelerate_row;
+        else
+            accelerate(first_, p.time);
+        call(p, 0, 1, body_.kernels.air_rate);
     }
 
     /// The Hessian (stiffness_rows in advance.hpp) times a direction, into `out`.
@@ -157,7 +164,7 @@ private:
         for (long long step = from; step < to; ++step) {
             p.time = clock.at(step) + body_.kernels.stage_time[0] * clock.dt;
             p.accounted = step == accounted;
-            push(p, 0, 1);
+            push(p, 0, 1, p.accounted);
             body_.kernels.step(p);
             after_the_move(step);
             meet();
@@ -167,7 +174,7 @@ private:
     /// Instead of halos, the neighbours' rows themselves.
     void look_beyond(Pass<Real>& p) {
         if (first_ > 0)
-            for (int f = 0; f < max_fields; ++f) p.above[f] = p.fields[f].row(first_ - halo_rows);
+            for (int f = 0; f < max_fields; ++f) p.above[f] = p.fields[f].row(first_ - halo_rows_);
         if (last_ < p.rows)
             for (int f = 0; f < max_fields; ++f) p.below[f] = p.fields[f].row(last_);
     }
@@ -175,7 +182,7 @@ private:
     Pass<Real> pass(double dt) {
         Pass<Real> p{};
         for (int f = 0; f < body_.kernels.fields; ++f) p.fields[f] = body_.fields[f].view();
-        p.halo = halo_rows;
+        p.halo = halo_rows_;
         p.first = first_, p.last = last_, p.rows = body_.model.grid.rows;
         p.width = body_.rows.width();
         p.constants = body_.rows.constants();
@@ -188,32 +195,38 @@ private:
         return p;
     }
 
-    /// What terms push masses with in a pass, from its state in these fields. Nothing may have moved yet.
-    void push(Pass<Real>& p, int position_field, int velocity_field) {
-        const Air* const air = body_.model.air();
-        if (air) {
-            in_air(p, position_field, velocity_field,
-                   body_.kernels.air[air->pressure.has_value()][air->skin.has_value()]);
-            p.acceleration = std::as_const(body_.pushed).view();
-        } else if (body_.model.varies_by_row()) {
-            p.accelerate = &accelerate_row;
-        } else {
-            accelerate(first_, p.time);
-        }
-    }
-    /// Calls a kernel of the air, which finds the state in fields 0 and 1.
-    void in_air(Pass<Real> p, int position_field, int velocity_field, void (*kernel)(const Pass<Real>&)) {
-        for (auto* fields : {p.fields, p.above, p.below}) {
-            const Field<Real> x = fields[position_field], v = fields[velocity_field];
-            fields[0] = x, fields[1] = v;
-        }
-        p.air = body_.model.air()->template strength<Real>();
-        p.out = body_.pushed.view();
+    /// What terms push masses with in a pass, from its state in these fields; accounted: what of it is stored as well.
+    /// Nothing may have moved yet.
+    void push(Pass<Real>& p, int position_field, int velocity_field, bool accounted) {
         p.acceleration = one_for_all(acceleration_);
+        p.accelerate = nullptr;
         if (body_.model.varies_by_row())
             p.accelerate = &accelerate_row;
         else
             accelerate(first_, p.time);
+        const auto gather = [&](void (*kernel)(const Pass<Real>&)) {
+            call(p, position_field, velocity_field, kernel);
+            p.acceleration = std::as_const(body_.pushed).view();
+            p.accelerate = nullptr;
+        };
+        if (const Air* const air = body_.model.air())
+            gather(body_.kernels.air[air->pressure.has_value()][air->skin.has_value()]);
+        if (const Bending* const bending = body_.model.bending()) {
+            p.bent = accounted ? body_.bent.view() : Field<Real>{};
+            gather(body_.kernels.bending[bending->damping.has_value()][accounted]);
+        }
+    }
+    /// Calls a kernel of terms that see where masses are: it finds the state in fields 0 and 1.
+    void call(Pass<Real> p, int position_field, int velocity_field, void (*kernel)(const Pass<Real>&)) {
+        for (auto* fields : {p.fields, p.above, p.below}) {
+            const Field<Real> x = fields[position_field], v = fields[velocity_field];
+            fields[0] = x, fields[1] = v;
+        }
+        if (const Air* const air = body_.model.air()) p.air = air->template strength<Real>();
+        const auto b = body_.model.bending_strength();
+        p.bending = {static_cast<Real>(b.k_fly), static_cast<Real>(b.k_hoist), static_cast<Real>(b.c_fly),
+                     static_cast<Real>(b.c_hoist)};
+        p.out = body_.pushed.view();
         kernel(p);
     }
     static Field<const Real> one_for_all(const FieldBuffer<Real>& row) {
@@ -246,11 +259,11 @@ private:
                 for (int c = 0; c < 3; ++c) {
                     const auto& source = body_.fields[f].component(c);
                     const std::ptrdiff_t stride = body_.fields[f].stride();
-                    std::copy_n(source.begin() + from * stride, halo_rows * stride, halo[f].component(c).begin());
+                    std::copy_n(source.begin() + from * stride, halo_rows_ * stride, halo[f].component(c).begin());
                 }
         };
         if (previous_) copy(previous_->below_[parity], first_);
-        if (next_) copy(next_->above_[parity], last_ - halo_rows);
+        if (next_) copy(next_->above_[parity], last_ - halo_rows_);
     }
     void use_halos(Pass<Real>& p, int parity) {
         for (std::size_t f = 0; f < above_[parity].size(); ++f) p.above[f] = above_[parity][f].view();
@@ -259,7 +272,7 @@ private:
 
     Body<Real>& body_;
     Block *previous_ = nullptr, *next_ = nullptr;
-    int first_, last_;  // rows
+    int first_, last_, halo_rows_;  // rows
     WaitingBuffer<Real> waiting_;
     FieldBuffer<Real> acceleration_, wind_;  // one row
     Array<Real> ones_;

@@ -44,7 +44,7 @@ class FastestMode {
 public:
     /// `looks` products of the operator with the mode, for a method with these weights, near a step of dt (s). Returns
     /// the oscillator that the mode is at time `now` (s), of mass 1, braked by the air as the mass is that it brakes
-    /// most.
+    /// most, and bent as much as any can be.
     Oscillator look(Stepper<Real>& stepper, double damping_weight, double on_mass_weight, double dt, int looks,
                     double now) {
         const Grid& grid = stepper.model().grid;
@@ -54,7 +54,8 @@ public:
             const auto sums = stepper.stiffness(1.0, c_weight, rate_weight, u_, next_);
             if (!(sums.before > 0.0) || !(sums.after > 0.0)) {
                 begin(grid);
-                return mode_ = {1.0, 0.0, 0.0, 0.0, stepper.air_rate(now)};
+                mode_ = {1.0, 0.0, 0.0, 0.0};
+                break;
             }
             const double elastic = sums.elastic / sums.before, damping = sums.damping / sums.before;
             const double on_mass = sums.on_mass / sums.before, grown = std::sqrt(sums.after / sums.before);
@@ -71,8 +72,11 @@ public:
                 for (std::size_t i = 0; i < u_.component(c).size(); ++i)
                     u_.component(c)[i] = scale * next_.component(c)[i] + own * u_.component(c)[i];
         }
-        mode_.air = stepper.air_rate(now);
-        return mode_;
+        Oscillator all = mode_;
+        const Oscillator bound = stepper.model().bounds().front();
+        all.air = stepper.air_rate(now);
+        all.bending = bound.bending / bound.mass, all.bending_damping = bound.bending_damping / bound.mass;
+        return all;
     }
 
 private:

@@ -48,6 +48,9 @@ struct RowConstants {
     const Real* mass;                      // kg; 0 likewise
     const Real* rate;                      // 1/s, all drag and friction over the mass; 0 likewise
     const Real* area;                      // m2/kg, the share of the cloth's area over the mass; 0 likewise
+    // Of three masses in a line, by the one in the middle: the share of what they bend with along the fly, 0 at its
+    // ends and in a register to either side; down the hoist, whatever the row.
+    const Real *bend_fly, *bend_hoist;
 };
 
 /// Half the air's density times a coefficient, of the pressure on faces and of the friction along them; 0: neither is
@@ -57,6 +60,12 @@ struct AirStrength {
     Real pressure, skin;  // kg/m3
 
     DRAPEAU_INLINE bool is_felt() const { return pressure > Real(0) || skin > Real(0); }
+};
+
+/// What three masses in a line bend with, along the fly and down the hoist (terms/bending.hpp).
+template <class Real>
+struct BendingStrength {
+    Real k_fly, k_hoist, c_fly, c_hoist;  // N/m and N s/m
 };
 
 /// Position, velocity and what a method keeps, by the method's own numbering; positions are 0, velocities 1.
@@ -73,10 +82,11 @@ struct WaitingRow {
 
 /// Numbers a pass sums for each row, in double (see Report).
 struct RowSums {
-    double external_work;   // J, by drag, friction and every term that pushes masses
+    double external_work;   // J, by drag, friction and every term that pushes masses, but what bending stores
     double damping_work;    // J, by the springs' dampers
     double drift[3];        // kg m, sum of m v dt with the velocity that work is counted with
     double elastic;         // J
+    double bending;         // J, that bending stores
     double kinetic;         // J, as the ledger counts it
     double kinetic_now;     // J, of velocities at the positions' time
     double power;           // W, of all but the springs' elasticity, with the velocity as stored
@@ -119,6 +129,10 @@ struct Pass {
     void (*accelerate)(void* terms, int row, double time);
     void* terms;
     AirStrength<Real> air;
+    BendingStrength<Real> bending;
+    // m/s2, part of `acceleration`: of what bending stores; null where nothing bends. Written before passes that
+    // account.
+    Field<Real> bent;
     double time;     // s, of this pass
     Real dt;         // s
     Real half_kick;  // s, from the velocity stored to that of the position's time
@@ -156,6 +170,9 @@ struct Kernels {
     // friction, what it pushes with added to `acceleration`, into `out`; how fast it brakes, into the rows' sums.
     void (*air[2][2])(const Pass<Real>&);
     void (*air_rate)(const Pass<Real>&);
+    // Of bending, from the same (bending_rows.hpp), added to `acceleration`, into `out`: by whether it brakes and
+    // whether it is accounted.
+    void (*bending[2][2])(const Pass<Real>&);
     // One mass: n is its element, a its acceleration but for drag and friction.
     void (*start)(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& a, Real rate, Real dt);
     Vec3<Real> (*synchronised)(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& a, Real rate, Real dt);

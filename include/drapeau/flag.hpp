@@ -40,7 +40,7 @@ class Flag {
     };
 
 public:
-    static constexpr bool damped = has<SpringDamping> || (has<Air> && predicts_velocity<Method>),
+    static constexpr bool damped = has<SpringDamping> || ((has<Air> || has<Bending>)&&predicts_velocity<Method>),
                           diagonals = has<DiagonalSprings>;
     static constexpr bool rated = (brakes<Listed> || ...);
 

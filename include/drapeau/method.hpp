@@ -97,6 +97,12 @@ struct Oscillator {
     double damping;    // N s/m, of springs
     double on_mass;    // N s/m, drag and friction
     double air = 0.0;  // N s/m, of the air on faces at most: it may be still, and brakes by velocities as springs do
+    double bending = 0.0, bending_damping = 0.0;  // N/m and N s/m: as springs', but that no method solves for it
+
+    double restoring() const { return stiffness + bending; }            // N/m
+    double braking() const { return damping + air + bending_damping; }  // N s/m, all but on_mass
+    /// The largest step that stands what is taken at the step's beginning by methods that solve for springs.
+    StableStep unsolved_step() const;
 };
 
 /// The positive root of stiffness dt^2 + damping dt = 4 mass, without cancellation.
@@ -104,6 +110,11 @@ inline StableStep step_where(double stiffness, double damping, double four_masse
     if (stiffness == 0.0 && damping == 0.0) return StableStep::unlimited();
     return StableStep::of_seconds(2.0 * four_masses /
                                   (damping + std::sqrt(damping * damping + 4.0 * stiffness * four_masses)));
+}
+
+/// (Springs that are solved for only add to what keeps (1 + a_s) z^2 - (2 - a - b) z + 1 - b stable.)
+inline StableStep Oscillator::unsolved_step() const {
+    return step_where(bending, 2.0 * (air + bending_damping), 4.0 * mass);
 }
 
 /// The larger size of the roots of z^2 - sum z + product.

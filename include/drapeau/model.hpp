@@ -173,10 +173,25 @@ public:
         const bool has_faces = grid.columns > 1 && grid.rows > 1;
         return listed && listed->is_felt() && has_faces ? &*listed : nullptr;
     }
+    /// Bending, if it is listed and three masses stand in a line.
+    const Bending* bending() const {
+        const auto& listed = terms.get<Bending>();
+        return listed && (grid.columns > 2 || grid.rows > 2) ? &*listed : nullptr;
+    }
+    /// What lines along the fly and down the hoist bend with; 0 where no three masses stand in one.
+    BendingStrength<double> bending_strength() const {
+        const Bending* const b = bending();
+        if (!b) return {};
+        const double fly = grid.columns > 2 ? 1.0 : 0.0, hoist = grid.rows > 2 ? 1.0 : 0.0;
+        return {fly * b->line_stiffness(grid.pitch_x, grid.pitch_y),
+                hoist * b->line_stiffness(grid.pitch_y, grid.pitch_x), fly * b->line_damping(springs.mass),
+                hoist * b->line_damping(springs.mass)};
+    }
     /// Whether method M is to be composed as with damped springs: some force sees velocities as those see them.
     template <class M>
     bool is_damped_for() const {
-        return is_damped() || (predicts_velocity<M> && terms.get<Air>().has_value());
+        const auto& bends = terms.get<Bending>();
+        return is_damped() || (predicts_velocity<M> && (terms.get<Air>() || (bends && bends->damping)));
     }
     double fastest_wind() const { return terms.get<Wind>() ? terms.get<Wind>()->fastest() : 0.0; }  // m/s
 
@@ -201,16 +216,22 @@ public:
     /// The fastest modes that any configuration of these springs can have. No spring's Hessian exceeds k I, folded or
     /// stretched, so the springs resist at most like the graph's Laplacian, whose largest eigenvalue on a grid is
     /// 4 max(kx + ky, max(kx, ky) + 2kd), on a chain 4k; dampers likewise. Light borders and held masses do not raise
-    /// it. What the air on faces does is an estimate.
+    /// it. Bending adds its own fastest wave. What the air on faces does is an estimate.
     std::vector<Oscillator> bounds() const {
         const double k = springs.stiffness, c = springs.damping.value_or(0.0), m = springs.mass;
         const double both = 4.0 * (1.0 + springs.along_hoist), one = 4.0 * std::max(1.0, springs.along_hoist);
         const double on_mass = damping_on_mass(1.0), air = damping_of_air();
-        if (grid.rows == 1) return {{m, 4.0 * k, 4.0 * c, on_mass}};
-        if (grid.columns == 1) return {{m, 4.0 * springs.along_hoist * k, 4.0 * springs.along_hoist * c, on_mass}};
+        const auto b = bending_strength();
+        const double bend = Bending::fastest * (b.k_fly + b.k_hoist);
+        const double bend_damping = Bending::fastest * (b.c_fly + b.c_hoist);
+        if (grid.rows == 1) return {{m, 4.0 * k, 4.0 * c, on_mass, 0.0, bend, bend_damping}};
+        if (grid.columns == 1)
+            return {
+                {m, 4.0 * springs.along_hoist * k, 4.0 * springs.along_hoist * c, on_mass, 0.0, bend, bend_damping}};
         const double kd = springs.diagonal_stiffness.value_or(0.0);
         const double cd = has_diagonals() ? springs.diagonal_damping * c : 0.0;
-        return {{m, both * k, both * c, on_mass, air}, {m, one * k + 8.0 * kd, one * c + 8.0 * cd, on_mass, air}};
+        return {{m, both * k, both * c, on_mass, air, bend, bend_damping},
+                {m, one * k + 8.0 * kd, one * c + 8.0 * cd, on_mass, air, bend, bend_damping}};
     }
 
 private:

@@ -12,7 +12,7 @@ class ModelRows {
 public:
     explicit ModelRows(const Model& model)
         : width_(padded<Real>(model.grid.columns)),
-          arrays_(model.kinds().size() * arrays_a_kind * static_cast<std::size_t>(width_)),
+          arrays_(model.kinds().size() * arrays_a_kind * static_cast<std::size_t>(width_ + widest<Real>)),
           constants_(static_cast<std::size_t>(model.grid.rows)) {
         for (std::size_t j = 0; j < constants_.size(); ++j)
             constants_[j] = constants_of(model, model.kind(static_cast<int>(j)));
@@ -48,16 +48,31 @@ public:
                 set(inverse_mass_, 1.0 / m), set(mass_, m);
                 set(rate_, model.damping_on_mass(kind.mass[i]) / m);
                 set(area_, kind.area[i] * model.cell() / m);
+                array(n, bend_fly_)[i] = static_cast<Real>(i > 0 && right ? kind.fly[i] : 0.0);
+                array(n, bend_hoist_)[i] = static_cast<Real>(kind.hoist[i]);
                 array(n, drag_rate_)[i] = static_cast<Real>(model.damping_on_mass(kind.mass[i], true) / m);
             }
         }
     }
 
 private:
-    enum { fly_ = 0, hoist_ = 3, diagonal_ = 6, inverse_mass_ = 9, mass_, rate_, area_, drag_rate_, arrays_a_kind };
+    enum {
+        fly_ = 0,
+        hoist_ = 3,
+        diagonal_ = 6,
+        inverse_mass_ = 9,
+        mass_,
+        rate_,
+        area_,
+        drag_rate_,
+        bend_fly_,
+        bend_hoist_,
+        arrays_a_kind
+    };
 
+    /// A register of zeros stands behind each.
     std::ptrdiff_t place(int kind, int which) const {
-        return (static_cast<std::ptrdiff_t>(kind) * arrays_a_kind + which) * width_;
+        return (static_cast<std::ptrdiff_t>(kind) * arrays_a_kind + which) * (width_ + widest<Real>);
     }
     Real* array(int kind, int which) { return arrays_.data() + place(kind, which); }
     const Real* array(int kind, int which) const { return arrays_.data() + place(kind, which); }
@@ -80,7 +95,9 @@ private:
                 array(kind, inverse_mass_),
                 array(kind, mass_),
                 array(kind, rate_),
-                array(kind, area_)};
+                array(kind, area_),
+                array(kind, bend_fly_),
+                array(kind, bend_hoist_)};
     }
 
     int width_;

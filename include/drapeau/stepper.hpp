@@ -47,7 +47,7 @@ public:
     /// `count` threads, fewer if there are not two rows for each. Throws std::system_error where the system gives no
     /// more threads, and stays as it was.
     void use_threads(int count) {
-        const int members = std::clamp(model().grid.rows / std::max(2, Block<Real>::halo_rows), 1, std::max(1, count));
+        const int members = std::clamp(model().grid.rows / std::max(2, body_.halo_rows), 1, std::max(1, count));
         auto team = members > 1 ? std::make_unique<Team>(members) : nullptr;
         std::vector<std::unique_ptr<Block<Real>>> blocks;
         for (int n = 0; n < members; ++n) {

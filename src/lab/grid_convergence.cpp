@@ -88,6 +88,7 @@ void conclude(GridConvergence& found, const Model& coarsest, const std::function
     for (std::size_t n = 2; n < found.levels.size(); ++n)
         found.levels[n].order = std::log2(found.levels[n - 1].difference / found.levels[n].difference);
     found.is_border_apt = is_border_apt(coarsest);
+    found.is_bent = coarsest.bending() != nullptr;
     found.floor = floor_of(coarsest.grid, finest_growth(found));
     found.verdict = verdict_on(found, try_light);
 }

@@ -52,6 +52,7 @@ struct GridConvergence {
     };
     std::vector<LeftOut> left_out;
     bool is_border_apt = false;
+    bool is_bent = false;  // something resists bending
     double floor = 0.0;  // m, what rounding leaves of a position: no smaller difference is resolved
     Verdict verdict = Verdict::unknown;
 

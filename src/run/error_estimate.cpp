@@ -57,7 +57,8 @@ struct Halvings {
 };
 
 int order_in(const Model& model, Method method, bool half_kick_start) {
-    const bool damped = model.springs.damping.value_or(0.0) > 0.0 || model.damping_on_mass(1.0) > 0.0 || model.air();
+    const bool damped = model.springs.damping.value_or(0.0) > 0.0 || model.damping_on_mass(1.0) > 0.0 || model.air() ||
+                        (model.bending() && model.bending()->damping);
     return half_kick_start && method == method_id<SemiImplicitEuler> && !damped ? 2 : order_of(method);
 }
 

@@ -54,6 +54,7 @@ std::vector<Scene> grids_of(const Scene& scene) {
     quiet.damping() = 0.0;
     quiet.drag().reset();
     quiet.terms.get<Air>().reset();
+    if (auto& bending = quiet.terms.get<Bending>()) bending->damping.reset();
     if (quiet.springs) quiet.springs->friction.reset();
     quiet.time.method = method_id<SemiImplicitEuler>;
     std::vector<Scene> grids{quiet};

@@ -17,6 +17,10 @@ bool goes_on(const FlagSettings& from, const FlagSettings& to) {
     return from.attach == to.attach && from.start == to.start && from.prestretch == to.prestretch;
 }
 
+bool bends_alike(const std::optional<Bending>& a, const std::optional<Bending>& b) {
+    return a.has_value() == b.has_value() && (!a || a->damping.has_value() == b->damping.has_value());
+}
+
 /// Whether only strengths differ, which an engine takes over as it runs.
 bool same_structure(const Scene& a, const Scene& b) {
     return a.flag.columns == b.flag.columns && a.flag.rows == b.flag.rows && a.flag.width == b.flag.width &&
@@ -24,7 +28,8 @@ bool same_structure(const Scene& a, const Scene& b) {
            a.time.precision == b.time.precision && a.time.half_kick_start == b.time.half_kick_start &&
            a.fabric.has_value() == b.fabric.has_value() && a.diagonals().has_value() == b.diagonals().has_value() &&
            a.damping().has_value() == b.damping().has_value() &&
-           a.terms.get<Air>().has_value() == b.terms.get<Air>().has_value();
+           a.terms.get<Air>().has_value() == b.terms.get<Air>().has_value() &&
+           bends_alike(a.terms.get<Bending>(), b.terms.get<Bending>());
 }
 
 }  // namespace

@@ -56,6 +56,8 @@ std::string limit_of_step(Method method, const Model& model) {
             alone({o.mass, 0.0, o.damping, 0.0}, "damping of the springs");
             alone({o.mass, 0.0, 0.0, o.on_mass}, "drag and friction");
             alone({o.mass, 0.0, 0.0, 0.0, o.air}, "air on faces");
+            alone({o.mass, 0.0, 0.0, 0.0, 0.0, o.bending}, "bending stiffness");
+            alone({o.mass, 0.0, 0.0, 0.0, 0.0, 0.0, o.bending_damping}, "bending damping");
         }
         return least.second;
     });

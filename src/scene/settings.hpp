@@ -16,7 +16,7 @@
 namespace drapeau::settings {
 
 /// What the format reserves but this version does not have yet.
-inline constexpr std::array<std::string_view, 3> later_tables{"bending", "ground", "pole"};
+inline constexpr std::array<std::string_view, 2> later_tables{"ground", "pole"};
 
 inline constexpr std::tuple scene_keys{
     Key{"name", &Scene::name, About{"Name", "", "shown in the window's title"}},
@@ -154,6 +154,22 @@ inline constexpr std::tuple keys_of<Air>{
         About{"Skin friction", "", "drag coefficient of the air along a face (C_f)",
               "A higher one drags the flag taut and calms its ripples. Off: none is computed."},
         Range{0, 100}, Control{{0, 0.3}, false, "%.3f", 1, "", 0.05}, "off"},
+};
+
+template <>
+inline constexpr std::string_view remark_on<Bending> =
+    "Threads resist being curved. Real flags have 10 to 70 µN·m (docs/model.md); more makes wider folds, which coarse "
+    "grids need to be folds of the cloth and not of the grid.";
+template <>
+inline constexpr std::tuple keys_of<Bending>{
+    Key{"stiffness", &Bending::stiffness,
+        About{"Bending", "N·m", "what a strip resists being curved with, over its width (B)",
+              "A higher one makes wider, calmer folds. Large values need a smaller step."},
+        Range{0, 1e6}, Control{{1e-6, 0.1}, true, "%.2g"}},
+    Key{"damping", &Bending::damping,
+        About{"Bending damping", "1/s", "how fast the shortest wave of the grid is braked; longer waves far less",
+              "It calms ripples as fine as the grid, and next to nothing else. Off: none is computed."},
+        Range{0, 1e6}, Control{{1, 1e4}, true, "%.0f", 1, "", 200.0}, "off"},
 };
 
 template <>

@@ -247,7 +247,7 @@ void App::type_number(const std::string& label, const std::string& text) {
 
 void App::type(const std::string& label, const std::string& text) {
     click(label);
-    press("ctrl+a");
+    hold("ctrl+a");  // a tap may begin and end between two frames
     screen_.xdotool({"type", "--delay", "5", text});
     wait_until("'" + label + "' to hold what was typed",
                [&](const Look& look) { return look.has(label) && look.controls.at(label).value == text; });

@@ -27,14 +27,14 @@ struct ForwardEuler : OneKick {
     /// stretched also resists sideways, where its damper does nothing: only drag and friction hold that, so dt k <
     /// on_mass; and dt (c + on_mass + air) < 2m. (The air may be still, so it holds nothing.)
     static StableStep stable_step(const Oscillator& o) {
-        const double damping = o.damping + o.on_mass + o.air;
-        if (o.stiffness == 0.0 && damping == 0.0) return StableStep::unlimited();
-        const double against_growth = o.stiffness > 0.0 ? o.on_mass / o.stiffness : INFINITY;
+        const double damping = o.braking() + o.on_mass;
+        if (o.restoring() == 0.0 && damping == 0.0) return StableStep::unlimited();
+        const double against_growth = o.restoring() > 0.0 ? o.on_mass / o.restoring() : INFINITY;
         return StableStep::of_seconds(std::fmin(against_growth, 2.0 * o.mass / damping));
     }
 
     /// The drag + friction (N s/m) that gives the step dt (s).
-    static double damping_needed(const Oscillator& o, double dt) { return dt * o.stiffness; }
+    static double damping_needed(const Oscillator& o, double dt) { return dt * o.restoring(); }
 };
 
 }  // namespace DRAPEAU_ISA

@@ -33,8 +33,8 @@ struct ImplicitEuler : OneKick {
     template <bool damped>
     static constexpr int fields = 10;
 
-    /// Only the air is taken at the step's beginning: beyond, it throws masses past the wind, to and fro.
-    static StableStep stable_step(const Oscillator& o) { return step_where(0.0, 2.0 * o.air, 4.0 * o.mass); }
+    /// Only air and bending are taken at the step's beginning: beyond, they throw masses to and fro.
+    static StableStep stable_step(const Oscillator& o) { return o.unsolved_step(); }
 
     /// What is left of a swing's amplitude after one period, of a mode of `hertz` that nothing damps, at steps of dt
     /// (s).

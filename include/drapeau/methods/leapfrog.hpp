@@ -72,13 +72,12 @@ struct Leapfrog : OneKick {
     }
 
     static StableStep stable_step(const Oscillator& o) {
-        return step_where(o.stiffness, 4.0 * (o.damping + o.air), 4.0 * o.mass);
+        return step_where(o.restoring(), 4.0 * o.braking(), 4.0 * o.mass);
     }
     /// By taking steps: what is kept makes it a matrix of three rows.
     static double growth(const Oscillator& o, double dt) {
         constexpr int settling = 2000, steps = 500;
-        const double lambda = o.stiffness / o.mass, beta = (o.damping + o.air) / o.mass,
-                     half = 0.5 * dt * o.on_mass / o.mass;
+        const double lambda = o.restoring() / o.mass, beta = o.braking() / o.mass, half = 0.5 * dt * o.on_mass / o.mass;
         double x = 1.0, v = 0.3 * std::sqrt(lambda), seen = v, grown = 0.0;
         for (int n = 0; n < settling + steps; ++n) {
             const double next = ((1.0 - half) * v - dt * (lambda * x + beta * seen)) / (1.0 + half);

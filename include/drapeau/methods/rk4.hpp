@@ -79,7 +79,7 @@ struct Rk4 {
 
     /// A root that is not real has |z|^2 = lambda of its mode; a real one is at most beta.
     static StableStep stable_step(const Oscillator& o) {
-        const double fastest = std::sqrt(o.stiffness / o.mass), beta = (o.damping + o.on_mass + o.air) / o.mass;
+        const double fastest = std::sqrt(o.restoring() / o.mass), beta = (o.braking() + o.on_mass) / o.mass;
         if (fastest == 0.0 && beta == 0.0) return StableStep::unlimited();
         const double ringing = (beta == 0.0 ? 2.8284 : 2.6155) / fastest;  // infinite without springs
         return StableStep::of_seconds(std::fmin(ringing, 2.7853 / beta));
@@ -87,8 +87,9 @@ struct Rk4 {
 
     /// |1 + z + z^2/2 + z^3/6 + z^4/24|, z = dt times either root of z^2 + beta z + lambda.
     static double growth(const Oscillator& o, double dt) {
-        const double beta = (o.damping + o.on_mass + o.air) / o.mass;
-        const std::complex<double> spread = std::sqrt(std::complex<double>(0.25 * beta * beta - o.stiffness / o.mass));
+        const double beta = (o.braking() + o.on_mass) / o.mass;
+        const std::complex<double> spread =
+            std::sqrt(std::complex<double>(0.25 * beta * beta - o.restoring() / o.mass));
         double most = 0.0;
         for (const double sign : {-1.0, 1.0}) {
             const auto z = dt * (-0.5 * beta + sign * spread);

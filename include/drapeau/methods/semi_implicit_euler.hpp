@@ -28,11 +28,11 @@ struct SemiImplicitEuler : OneKick {
     }
 
     static StableStep stable_step(const Oscillator& o) {
-        return step_where(o.stiffness, 2.0 * (o.damping + o.on_mass + o.air), 4.0 * o.mass);
+        return step_where(o.restoring(), 2.0 * (o.braking() + o.on_mass), 4.0 * o.mass);
     }
     /// The roots of z^2 - (2 - a - b) z + 1 - b.
     static double growth(const Oscillator& o, double dt) {
-        const double a = dt * dt * o.stiffness / o.mass, b = dt * (o.damping + o.on_mass + o.air) / o.mass;
+        const double a = dt * dt * o.restoring() / o.mass, b = dt * (o.braking() + o.on_mass) / o.mass;
         return larger_root(2.0 - a - b, 1.0 - b);
     }
 };

@@ -32,8 +32,8 @@ struct Xpbd : OneKick {
     template <bool damped>
     static constexpr int fields = 4;
 
-    /// As implicit Euler's: the air is taken at the step's beginning.
-    static StableStep stable_step(const Oscillator& o) { return step_where(0.0, 2.0 * o.air, 4.0 * o.mass); }
+    /// As implicit Euler's: air and bending are taken at the step's beginning.
+    static StableStep stable_step(const Oscillator& o) { return o.unsolved_step(); }
     /// Beyond, the stiffest springs are more than one and a half times too soft, and hold more energy than there is.
     static StableStep smooth_step(const Oscillator& o) { return step_where(o.stiffness, 0.0, 4.0 * o.mass); }
 

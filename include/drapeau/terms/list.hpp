@@ -3,6 +3,7 @@
 
 #include "drapeau/terms/air.hpp"
 #include "drapeau/terms/air_drag.hpp"
+#include "drapeau/terms/bending.hpp"
 #include "drapeau/terms/friction.hpp"
 #include "drapeau/terms/gravity.hpp"
 #include "drapeau/terms/wind.hpp"
@@ -10,7 +11,7 @@
 namespace drapeau {
 inline namespace DRAPEAU_ISA {
 
-using Terms = ListOf<Gravity, AirDrag, Friction, Air, Wind>;
+using Terms = ListOf<Gravity, AirDrag, Friction, Bending, Air, Wind>;
 
 }  // namespace DRAPEAU_ISA
 }  // namespace drapeau
