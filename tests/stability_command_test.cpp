@@ -147,3 +147,24 @@ TEST_CASE("of a fabric the springs along the fly are varied, beyond what a scene
     }
     CHECK(at_its_own == 1);
 }
+
+TEST_CASE("bending limits every method, those that solve for springs too, as its fastest mode says") {
+    // Nine masses in a line between held ends: 16 sin^4(pi/2 (1 - 1/8)) B b/a3 over m, beside which the springs, of
+    // 0.01 N/m, are nothing.
+    const Bench bench;
+    bench.write("beam.toml",
+                "[flag]\ncolumns = 9\nrows = 1\nwidth = 0.8\nheight = 0.1\nattach = \"sides\"\n"
+                "[springs]\nmass = 0.01\nstiffness = 0.01\n[bending]\nstiffness = 100\n");
+    const double lambda = 16.0 * std::pow(std::cos(M_PI / 16.0), 4) * 100.0 * 0.1 / std::pow(0.1, 3) / 0.01;
+    int counted = 0;
+    for (const Json& limit : limits_of(bench, "beam.toml --stiffness 0.01 --damping 0")) {
+        INFO(limit);
+        const std::string method = limit["method"];
+        if (method == "forward-euler") continue;
+        const double expected = (method == "rk4" ? std::sqrt(8.0) : 2.0) / std::sqrt(lambda);
+        CHECK(limit["measured_dt"].get<double>() == Approx(expected).epsilon(one_per_cent));
+        CHECK(limit["theory_dt"].get<double>() == Approx(expected).epsilon(one_per_cent));
+        ++counted;
+    }
+    CHECK(counted == 2 * 5);  // in both tables
+}

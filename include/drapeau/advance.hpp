@@ -186,7 +186,8 @@ void evaluate_rows(const Pass<typename Lanes<V>::Real>& pass) {
 }
 
 /// u -> M^-1 [(k_weight K + c_weight C) u] + rate_weight * rate u, u being field 1, stored in pass.out: K and C are the
-/// Hessian of the springs as they are and of their dampers. The rows' sums get u.Ku, u.Cu and rate u.Mu (as elastic,
+/// Hessian of the springs as they are and of their dampers; with bending, whose parts of -M^-1 K u and -M^-1 C u are in
+/// pass.bent and pass.acceleration. The rows' sums get u.Ku, u.Cu and rate u.Mu (as elastic,
 /// damping_work and external_work) and, as products, u.Mu and |out|^2 with M.
 template <class V, bool damped, bool diagonals>
 void stiffness_rows(const Pass<typename Lanes<V>::Real>& pass) {
@@ -194,7 +195,8 @@ void stiffness_rows(const Pass<typename Lanes<V>::Real>& pass) {
     using Real = typename L::Real;
     const Real k_weight = static_cast<Real>(pass.k_weight), c_weight = static_cast<Real>(pass.c_weight),
                rate_weight = static_cast<Real>(pass.rate_weight);
-    Field<Real> out = pass.out.row(pass.first);  // a halo's values are overwritten by the row's own
+    // A halo's values are overwritten by the row's own.
+    Field<Real> out = pass.out.row(pass.first), bent = pass.bent.x ? pass.bent.row(pass.first) : pass.bent;
     V elastic{}, damping{}, external{}, before{}, after{};
     for_rows<V, SpringHessianParts<V, damped>, diagonals, 2, 0, 1>(
         pass,
@@ -203,8 +205,14 @@ void stiffness_rows(const Pass<typename Lanes<V>::Real>& pass) {
                     rate = L::load(constants.rate + i);
             const auto u = row.field[1].template at<V>(i);
             const auto resisting = V{} - (w * k_weight), braking = V{} - (w * c_weight);
-            const auto result = acceleration_of(resisting * pull.elastic + braking * pull.damping,
-                                                L::where_positive(w, L::broadcast(1)), (rate_weight * rate) * u);
+            auto result = acceleration_of(resisting * pull.elastic + braking * pull.damping,
+                                          L::where_positive(w, L::broadcast(1)), (rate_weight * rate) * u);
+            if (pass.bent.x) {
+                const auto stored = bent.template at<V>(i), braked = row.pushed.template at<V>(i);
+                result = result - k_weight * stored - c_weight * braked;
+                elastic = elastic - m * dot(u, stored);
+                damping = damping - m * dot(u, braked);
+            }
             out.set(i, result);
             elastic = elastic - dot(u, pull.elastic);
             if constexpr (damped) damping = damping - dot(u, pull.damping);
@@ -219,6 +227,7 @@ void stiffness_rows(const Pass<typename Lanes<V>::Real>& pass) {
                 sums.external_work = sum_of(external);
                 sums.products[0][0] = sum_of(before), sums.products[0][1] = sum_of(after);
                 out = pass.out.row(j + 1);
+                if (pass.bent.x) bent = pass.bent.row(j + 1);
             }
             elastic = damping = external = before = after = V{};
         });

@@ -1,4 +1,4 @@
-// Bending rows: a pass over the rows that finds what bending does to a state. Nothing moves in it, so it looks at two
+// Bending rows: passes over the rows that find what bending does to a state. Nothing moves in them, so they look at two
 // rows above and below.
 #pragma once
 
@@ -10,61 +10,119 @@ inline namespace DRAPEAU_ISA {
 /// Rows that bending looks at on either side.
 inline constexpr int bending_reach = 2;
 
-/// Adds what bending accelerates each mass with to what terms push it with (pass.acceleration), into pass.out; the
-/// state is in fields 0 and 1. `braked`: whether velocities count; accounted: what it stores accelerates with into
-/// pass.bent besides, and the energy stored into the rows' sums.
+/// Rows of moments that a pass keeps: of lines down the hoist three in turn, of the row's own line one.
+inline constexpr int moment_rows = 4;
+
+/// What bends one line: B/2 |curvature|^2 gives each of three masses in a line M, -2M and M with the moment M = k times
+/// the curvature at the middle one, so a mass gets M_before - 2 M + M_after.
 template <class V, bool braked, bool accounted>
-void bending_rows(const Pass<typename Lanes<V>::Real>& pass) {
+class BendingPass {
+public:
     using L = Lanes<V>;
     using Real = typename L::Real;
-    const BendingStrength<Real> bending = pass.bending;
-    constexpr int rows_seen = 2 * bending_reach + 1, own = bending_reach;
-    for (int j = pass.first; j < pass.last; ++j) {
-        if (pass.accelerate) pass.accelerate(pass.terms, j, pass.time);
-        Field<Real> x[rows_seen], v[rows_seen];
-        for (int n = 0; n < rows_seen; ++n) {
-            const int there = j + n - own, last = pass.rows - 1;
-            const PassRow<Real, 2> row(pass, there < 0 ? 0 : there > last ? last : there);
-            x[n] = row.field[0], v[n] = row.field[1];
+
+    DRAPEAU_INLINE explicit BendingPass(const Pass<Real>& pass) : pass_(pass) {}
+
+    /// Calls visit(j, i, a) with what bending accelerates each register of the rows with. Velocities count if `braked`;
+    /// if accounted, the energy stored goes into the rows' sums.
+    template <class Visit, class RowEnd>
+    DRAPEAU_INLINE void run(Visit&& visit, RowEnd&& row_end) {
+        find_down(pass_.first - 1);
+        double energy_below = find_down(pass_.first);
+        for (int j = pass_.first; j < pass_.last; ++j) {
+            const double energy_here = energy_below;
+            energy_below = find_down(j + 1);
+            const double energy_along = find_along(j);
+            if constexpr (accounted) pass_.sums[j].bending = energy_here + energy_along;
+            const Field<Real> fly = pass_.moments.row(moment_rows - 1);
+            const Field<Real> above = down(j - 1), here = down(j), below = down(j + 1);
+            const Real* const inverse_mass = pass_.constants[j].inverse_mass;
+            for (int i = 0; i < pass_.width; i += L::width) {
+                const auto force =
+                    curvature(fly.template at<V>(i - 1), fly.template at<V>(i), fly.template at<V>(i + 1)) +
+                    curvature(above.template at<V>(i), here.template at<V>(i), below.template at<V>(i));
+                visit(i, (V{} - L::load(inverse_mass + i)) * force);
+            }
+            row_end(j);
         }
-        const Field<const Real> pushed = PassRow<Real, 2>(pass, j).pushed;
-        const Field<Real> out = pass.out.row(j), bent = accounted ? pass.bent.row(j) : out;
-        const RowConstants<Real>& constants = pass.constants[j];
-        // Whether the rows above, here and below are the middle of three.
-        const auto exists = [&](int row) { return static_cast<Real>(row > 0 && row + 1 < pass.rows); };
-        const Real above = exists(j - 1), here = exists(j), below = exists(j + 1);
-        V energy{};
-        for (int i = 0; i < pass.width; i += L::width) {
-            const V to_left = L::load(constants.bend_fly + i - 1), centre = L::load(constants.bend_fly + i),
-                    to_right = L::load(constants.bend_fly + i + 1), hoist = L::load(constants.bend_hoist + i);
-            const auto curvature = [](const Vec3<V>& a, const Vec3<V>& b, const Vec3<V>& c)
-                                       DRAPEAU_INLINE_LAMBDA { return (a - b) - (b - c); };
-            // The force of k |curvature|^2 / 2 of the three lines that a mass is in: M_left - 2 M + M_right, M = k
-            // times the curvature at each.
-            const auto resist = [&](const Field<Real>* field, Real k_fly, Real k_hoist) DRAPEAU_INLINE_LAMBDA {
-                const auto at = [&](int row, int column)
-                                    DRAPEAU_INLINE_LAMBDA { return field[row].template at<V>(i + column); };
-                const auto along = curvature(at(own, -1), at(own, 0), at(own, 1));
-                const auto down = curvature(at(own - 1, 0), at(own, 0), at(own + 1, 0));
-                if constexpr (accounted)
-                    if (field == x)
-                        energy = energy + (k_fly * centre) * dot(along, along) +
-                                 ((k_hoist * here) * hoist) * dot(down, down);
-                const auto fly = to_left * curvature(at(own, -2), at(own, -1), at(own, 0)) -
-                                 (Real(2) * centre) * along + to_right * curvature(at(own, 0), at(own, 1), at(own, 2));
-                const auto rows = above * curvature(at(own - 2, 0), at(own - 1, 0), at(own, 0)) -
-                                  (Real(2) * here) * down +
-                                  below * curvature(at(own, 0), at(own + 1, 0), at(own + 2, 0));
-                return k_fly * fly + (k_hoist * hoist) * rows;
-            };
-            const V w = V{} - L::load(constants.inverse_mass + i);
-            auto a = w * resist(x, bending.k_fly, bending.k_hoist);
-            if constexpr (accounted) bent.set(i, a);
-            if constexpr (braked) a = a + w * resist(v, bending.c_fly, bending.c_hoist);
-            out.set(i, pushed.template at<V>(i) + a);
-        }
-        if constexpr (accounted) pass.sums[j].bending = 0.5 * sum_of(energy);
     }
+
+private:
+    DRAPEAU_INLINE static Vec3<V> curvature(const Vec3<V>& a, const Vec3<V>& b, const Vec3<V>& c) {
+        return (a - b) - (b - c);
+    }
+    DRAPEAU_INLINE Field<Real> down(int j) const {
+        return pass_.moments.row((j + moment_rows - 1) % (moment_rows - 1));
+    }
+
+    /// The moments of the lines down the hoist whose middle is row j. Returns the energy they store (J), if accounted.
+    DRAPEAU_INLINE double find_down(int j) {
+        const Field<Real> to = down(j);
+        const bool exists = j > 0 && j + 1 < pass_.rows;
+        if (!exists) {
+            for (int i = 0; i < pass_.width; i += L::width) to.set(i, Vec3<V>{});
+            return 0.0;
+        }
+        const PassRow<Real, 2> above(pass_, j - 1), here(pass_, j), below(pass_, j + 1);
+        const Real* const share = pass_.constants[j].bend_hoist;
+        V energy{};
+        for (int i = 0; i < pass_.width; i += L::width)
+            to.set(i, moment(L::load(share + i), pass_.bending.k_hoist, pass_.bending.c_hoist, energy,
+                             [&](int field) DRAPEAU_INLINE_LAMBDA {
+                                 return curvature(above.field[field].template at<V>(i),
+                                                  here.field[field].template at<V>(i),
+                                                  below.field[field].template at<V>(i));
+                             }));
+        return accounted ? 0.5 * sum_of(energy) : 0.0;
+    }
+    /// Those of row j along the fly, likewise.
+    DRAPEAU_INLINE double find_along(int j) {
+        const PassRow<Real, 2> row(pass_, j);
+        const Real* const share = pass_.constants[j].bend_fly;
+        V energy{};
+        const Field<Real> to = pass_.moments.row(moment_rows - 1);
+        for (int i = 0; i < pass_.width; i += L::width)
+            to.set(i, moment(L::load(share + i), pass_.bending.k_fly, pass_.bending.c_fly, energy,
+                             [&](int field) DRAPEAU_INLINE_LAMBDA {
+                                 const Field<Real>& f = row.field[field];
+                                 return curvature(f.template at<V>(i - 1), f.template at<V>(i),
+                                                  f.template at<V>(i + 1));
+                             }));
+        return accounted ? 0.5 * sum_of(energy) : 0.0;
+    }
+    template <class Curvature>
+    DRAPEAU_INLINE static Vec3<V> moment(V share, Real k, Real c, V& energy, Curvature&& curvature_of) {
+        const auto bent = curvature_of(0);
+        if constexpr (accounted) energy = energy + (k * share) * dot(bent, bent);
+        if constexpr (braked) return share * (k * bent + c * curvature_of(1));
+        return (k * share) * bent;
+    }
+
+    const Pass<Real>& pass_;
+};
+
+/// Adds what bending accelerates each mass with to what terms push it with (pass.acceleration), into pass.out; the
+/// state is in fields 0 and 1. `braked`: whether it brakes; accounted: what it stores accelerates with alone into
+/// pass.bent, and the energy stored into the rows' sums.
+template <class V, bool braked, bool accounted>
+void bending_rows(const Pass<typename Lanes<V>::Real>& pass) {
+    using Real = typename Lanes<V>::Real;
+    if constexpr (accounted) {
+        Field<Real> bent = pass.bent.row(pass.first);
+        BendingPass<V, false, true>(pass).run([&](int i, const Vec3<V>& a) DRAPEAU_INLINE_LAMBDA { bent.set(i, a); },
+                                              [&](int j) DRAPEAU_INLINE_LAMBDA { bent = pass.bent.row(j + 1); });
+    }
+    Field<Real> out = pass.out.row(pass.first);
+    Field<const Real> pushed{};
+    const auto begin = [&](int j) DRAPEAU_INLINE_LAMBDA {
+        if (j == pass.last) return;
+        if (pass.accelerate) pass.accelerate(pass.terms, j, pass.time);
+        out = pass.out.row(j), pushed = pass.acceleration.row(j);
+    };
+    begin(pass.first);
+    BendingPass<V, braked, false>(pass).run([&](int i, const Vec3<V>& a)
+                                                DRAPEAU_INLINE_LAMBDA { out.set(i, pushed.template at<V>(i) + a); },
+                                            [&](int j) DRAPEAU_INLINE_LAMBDA { begin(j + 1); });
 }
 
 }  // namespace DRAPEAU_ISA

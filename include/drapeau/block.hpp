@@ -60,6 +60,7 @@ public:
           waiting_(body.rows.width()),
           acceleration_(body.model.grid.columns, 1),
           wind_(body.model.grid.columns, 1),
+          moments_(body.bent.columns(), body.bent.columns() > 0 ? moment_rows : 0),
           ones_(static_cast<std::size_t>(body.rows.width())) {
         std::fill(ones_.begin(), ones_.end(), Real(1));
         for (int parity = 0; parity < 2; ++parity)
@@ -122,7 +123,7 @@ public:
             p.accelerate = &accelerate_row;
         else
             accelerate(first_, p.time);
-        call(p, 0, 1, body_.kernels.air_rate);
+        call(p, 0, 1, p.out, body_.kernels.air_rate);
     }
 
     /// The Hessian (stiffness_rows in advance.hpp) times a direction, into `out`.
@@ -132,6 +133,17 @@ public:
         p.fields[1] = direction;
         look_beyond(p);
         p.k_weight = k_weight, p.c_weight = c_weight, p.rate_weight = rate_weight;
+        if (body_.model.bending()) {
+            // Bending is linear: it makes of a direction what it makes of positions.
+            const BendingStrength<Real> b = p.bending;
+            std::fill_n(acceleration_.component(0).begin(), body_.rows.width(), Real(0));
+            for (int c = 1; c < 3; ++c) acceleration_.component(c) = acceleration_.component(0);
+            p.bent = body_.bent.view();
+            call(p, 1, 1, p.bent, body_.kernels.bending[0][0]);
+            p.bending = {b.c_fly, b.c_hoist, Real(0), Real(0)};
+            call(p, 1, 1, body_.pushed.view(), body_.kernels.bending[0][0]);
+            p.acceleration = std::as_const(body_.pushed).view();
+        }
         p.out = out;
         body_.kernels.stiffness(p);
     }
@@ -190,6 +202,11 @@ private:
         p.terms = this;
         p.dt = static_cast<Real>(dt);
         p.half_kick = body_.kernels.starts_with_forces ? static_cast<Real>(0.5 * dt) : Real(0);
+        if (const Air* const air = body_.model.air()) p.air = air->template strength<Real>();
+        const auto b = body_.model.bending_strength();
+        p.bending = {static_cast<Real>(b.k_fly), static_cast<Real>(b.k_hoist), static_cast<Real>(b.c_fly),
+                     static_cast<Real>(b.c_hoist)};
+        p.moments = moments_.view();
         p.waiting = waiting_.view();
         p.sums = body_.sums.data();
         return p;
@@ -205,7 +222,7 @@ private:
         else
             accelerate(first_, p.time);
         const auto gather = [&](void (*kernel)(const Pass<Real>&)) {
-            call(p, position_field, velocity_field, kernel);
+            call(p, position_field, velocity_field, body_.pushed.view(), kernel);
             p.acceleration = std::as_const(body_.pushed).view();
             p.accelerate = nullptr;
         };
@@ -217,16 +234,13 @@ private:
         }
     }
     /// Calls a kernel of terms that see where masses are: it finds the state in fields 0 and 1.
-    void call(Pass<Real> p, int position_field, int velocity_field, void (*kernel)(const Pass<Real>&)) {
+    void call(Pass<Real> p, int position_field, int velocity_field, const Field<Real>& out,
+              void (*kernel)(const Pass<Real>&)) {
         for (auto* fields : {p.fields, p.above, p.below}) {
             const Field<Real> x = fields[position_field], v = fields[velocity_field];
             fields[0] = x, fields[1] = v;
         }
-        if (const Air* const air = body_.model.air()) p.air = air->template strength<Real>();
-        const auto b = body_.model.bending_strength();
-        p.bending = {static_cast<Real>(b.k_fly), static_cast<Real>(b.k_hoist), static_cast<Real>(b.c_fly),
-                     static_cast<Real>(b.c_hoist)};
-        p.out = body_.pushed.view();
+        p.out = out;
         kernel(p);
     }
     static Field<const Real> one_for_all(const FieldBuffer<Real>& row) {
@@ -275,6 +289,7 @@ private:
     int first_, last_, halo_rows_;  // rows
     WaitingBuffer<Real> waiting_;
     FieldBuffer<Real> acceleration_, wind_;  // one row
+    FieldBuffer<Real> moments_;              // of bending
     Array<Real> ones_;
     std::vector<FieldBuffer<Real>> above_[2], below_[2];  // of even and odd passes; empty at the cloth's border
 };

@@ -1,8 +1,9 @@
 // Fastest mode: how near the step is to the limit of stability, here and now.
 //
 // The closed bound (stability.hpp) holds in every configuration; the limit of the present one is up to a third larger.
-// It is found by power iteration on u -> M^-1 (K + w/dt C) u, K being the Hessian of the springs as they are, C that of
-// dampers, drag and friction, w the method's weight of damping: stable while dt^2 times its largest eigenvalue is below
+// It is found by power iteration on u -> M^-1 (K + w/dt C) u, K being the Hessian of the springs as they are and of
+// bending, C that of dampers, drag and friction, w the method's weight of damping: stable while dt^2 times its largest
+// eigenvalue is below
 // 4. The mode is kept from one look to the next, so that one product a frame follows a moving flag.
 //
 // A part of the mode is taken off its product (the spectrum is shifted), which damps the slow end of the spectrum and
@@ -44,7 +45,7 @@ class FastestMode {
 public:
     /// `looks` products of the operator with the mode, for a method with these weights, near a step of dt (s). Returns
     /// the oscillator that the mode is at time `now` (s), of mass 1, braked by the air as the mass is that it brakes
-    /// most, and bent as much as any can be.
+    /// most; what bends counts as springs do.
     Oscillator look(Stepper<Real>& stepper, double damping_weight, double on_mass_weight, double dt, int looks,
                     double now) {
         const Grid& grid = stepper.model().grid;
@@ -54,8 +55,7 @@ public:
             const auto sums = stepper.stiffness(1.0, c_weight, rate_weight, u_, next_);
             if (!(sums.before > 0.0) || !(sums.after > 0.0)) {
                 begin(grid);
-                mode_ = {1.0, 0.0, 0.0, 0.0};
-                break;
+                return mode_ = {1.0, 0.0, 0.0, 0.0, stepper.air_rate(now)};
             }
             const double elastic = sums.elastic / sums.before, damping = sums.damping / sums.before;
             const double on_mass = sums.on_mass / sums.before, grown = std::sqrt(sums.after / sums.before);
@@ -72,11 +72,8 @@ public:
                 for (std::size_t i = 0; i < u_.component(c).size(); ++i)
                     u_.component(c)[i] = scale * next_.component(c)[i] + own * u_.component(c)[i];
         }
-        Oscillator all = mode_;
-        const Oscillator bound = stepper.model().bounds().front();
-        all.air = stepper.air_rate(now);
-        all.bending = bound.bending / bound.mass, all.bending_damping = bound.bending_damping / bound.mass;
-        return all;
+        mode_.air = stepper.air_rate(now);
+        return mode_;
     }
 
 private:

@@ -130,6 +130,7 @@ struct Pass {
     void* terms;
     AirStrength<Real> air;
     BendingStrength<Real> bending;
+    Field<Real> moments;  // rows that its kernels keep moments of lines in
     // m/s2, part of `acceleration`: of what bending stores; null where nothing bends. Written before passes that
     // account.
     Field<Real> bent;

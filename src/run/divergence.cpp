@@ -55,19 +55,19 @@ std::pair<int, int> worst(const State<double>& state) {
     return at;
 }
 
-std::string cause_and_remedy(Method method, const Divergence& d) {
+std::string cause_and_remedy(Method method, const Divergence& d, bool bends) {
     const std::string_view name = name_of(method);
     const std::string step = quantity(d.dt, "s"), limit = d.limit.is_finite() ? quantity(d.limit.seconds(), "s") : "";
-    const std::string remedy = d.safe_dt > 0.0 ? "a step of " + quantity(d.safe_dt, "s") + " holds"
-                               : method == method_id<ForwardEuler>
-                                   ? "semi-implicit-euler takes far larger ones"
-                                   : "choose dt \"auto\", more drag or damping, or weaker wind or springs";
+    const std::string remedy = d.safe_dt > 0.0                     ? "a step of " + quantity(d.safe_dt, "s") + " holds"
+                               : method == method_id<ForwardEuler> ? "semi-implicit-euler takes far larger ones"
+                               : bends ? "choose dt \"auto\", or weaker bending, wind or springs"
+                                       : "choose dt \"auto\", more drag or damping, or weaker wind or springs";
     switch (d.cause) {
         case Divergence::Cause::past_the_limit:
             if (d.limit.is_none())
                 return fmt::format("{} has no stable step without drag or friction: choose semi-implicit-euler", name);
-            return fmt::format("the step {} is above {}, up to which {} is stable however these springs lie; {}", step,
-                               limit, name, remedy);
+            return fmt::format("the step {} is above {}, up to which {} is stable however {}; {}", step, limit, name,
+                               bends ? "this cloth lies" : "these springs lie", remedy);
         case Divergence::Cause::too_soft:
             return fmt::format(
                 "at steps of {} {} makes these springs so much too soft that they hold more energy than there is; {}",
@@ -168,7 +168,7 @@ Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const
     }
 
     d.message = fmt::format("diverged at step {} (t = {:.4g} s) at column {}, row {}: {}", d.step, d.time, d.column,
-                            d.row, cause_and_remedy(method, d));
+                            d.row, cause_and_remedy(method, d, engine.model().bending() != nullptr));
     engine.restore(good_place);
     watch = watch_then;
     return d;

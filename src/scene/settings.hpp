@@ -163,9 +163,9 @@ inline constexpr std::string_view remark_on<Bending> =
 template <>
 inline constexpr std::tuple keys_of<Bending>{
     Key{"stiffness", &Bending::stiffness,
-        About{"Bending", "N·m", "what a strip resists being curved with, over its width (B)",
+        About{"Bending rigidity", "N·m", "what a strip resists being curved with, over its width (B)",
               "A higher one makes wider, calmer folds. Large values need a smaller step."},
-        Range{0, 1e6}, Control{{1e-6, 0.1}, true, "%.2g"}},
+        Range{0, 1e6}, Control{{1, 1e5}, true, "%.4g", 1e6, "µN·m"}},
     Key{"damping", &Bending::damping,
         About{"Bending damping", "1/s", "how fast the shortest wave of the grid is braked; longer waves far less",
               "It calms ripples as fine as the grid, and next to nothing else. Off: none is computed."},
