@@ -98,7 +98,7 @@ TEMPLATE_LIST_TEST_CASE("A sheet that lies flat, wherever, however stretched and
 TEMPLATE_LIST_TEST_CASE("Bent in any shape and motion masses feel what the plain equations say", "[physics]",
                         Precisions) {
     for (const auto borders : {Borders::alike, Borders::light})
-        for (const Bending& bending : {bare, braked})
+        for (const Bending& bending : {Bending{.stiffness = 0.2}, Bending{.stiffness = 0.2, .damping = 1e4}})
             for (const auto& [columns, rows] :
                  {std::pair{2, 2}, {3, 2}, {2, 3}, {5, 4}, {16, 3}, {17, 5}, {33, 7}, {9, 1}, {1, 9}}) {
                 const Grid grid{columns, rows, 0.1, 0.08};
@@ -183,8 +183,7 @@ TEMPLATE_LIST_TEST_CASE("What bending stores is no work of others, and staggered
         REQUIRE(work.damping == 0.0);
     }
     // m v-.v+ / 2 + x K x / 2 is constant in linear motion; 100 steps, each rounded some 40 times.
-    if (Method::staggered || std::is_same_v<Method, SemiImplicitEuler>)
-        CHECK(sheet.measure().total() == Approx(before).epsilon(4000.0 * epsilon<double>));
+    if (Method::staggered) CHECK(sheet.measure().total() == Approx(before).epsilon(4000.0 * epsilon<double>));
     CHECK(sheet.measure().kinetic > 0.01 * before);
 }
 
@@ -203,9 +202,9 @@ TEMPLATE_LIST_TEST_CASE("Bending damping takes what the ledger says", "[physics]
     CHECK(work.external < 0.0);
     CHECK(sheet.measure().kinetic_now - before ==
           Approx(work.external).epsilon(1e-6).margin(100 * epsilon<double> * before));
-    // A checkerboard inside is braked at the rate twice, both ways; ends of lines less.
-    CHECK(-work.external < 2.0 * before * 2.0 * rate * dt);
-    CHECK(-work.external > 0.5 * before * 2.0 * rate * dt);
+    // Of a checkerboard each triple brakes with r m/16 (4v)^2, border ones with half; a row of n masses has n - 2 of
+    // them, and weighs as much as n - 1.
+    CHECK(-work.external == Approx(2.0 * before * rate * dt * (10.0 / 11.0 + 6.0 / 7.0)).epsilon(1e-6));
 }
 
 TEMPLATE_LIST_TEST_CASE("A method is stable up to the limit that it says for bending", "[physics]", DoubleCases) {
@@ -260,7 +259,50 @@ TEMPLATE_LIST_TEST_CASE("The limit here and now is that of the sheet's own faste
     CHECK(limit.seconds() > stable_step(SemiImplicitEuler{}, model).seconds());
 }
 
-TEMPLATE_LIST_TEST_CASE("Bending that is not listed leaves every bit as it is", "[physics]", AllCases) {
+TEST_CASE("The Hessian with bending is the derivative of the forces, for any number of threads", "[physics][threads]") {
+    for (const auto& [columns, rows] : {std::pair{9, 7}, {17, 5}, {7, 1}, {1, 9}})
+        for (const std::optional<double> damping : {std::optional<double>(), std::optional(rate)}) {
+            const Grid grid{columns, rows, 0.1, 0.08};
+            const Model model(grid, {0.01, 20.0, 10.0, 0.01}, Attach::corner,
+                              Terms().add(Bending{.stiffness = 0.02, .damping = damping}));
+            const auto x = scattered(grid, 0.01);
+            auto u = noise(masses_of(model), 1.0);
+            for (int n = 0; n < masses_of(model); ++n)
+                if (is_held(model, n)) u[n] = glm::dvec3(0.0);
+            const auto moved = [&](double by) {
+                auto to = x;
+                for (std::size_t n = 0; n < to.size(); ++n) to[n] += by * u[n];
+                return to;
+            };
+            const double h = 1e-6, k = 3.0, c = 7.0;
+            const auto rest = at_rest(model);
+            const auto ahead = felt<double>(model, moved(h), rest), behind = felt<double>(model, moved(-h), rest);
+            const auto still = felt<double>(model, x, rest), moving = felt<double>(model, x, u);
+            Points expected = rest;
+            double most = 0.0;
+            for (std::size_t n = 0; n < x.size(); ++n) {
+                expected[n] = -k / (2.0 * h) * (ahead[n] - behind[n]) - c * (moving[n] - still[n]);
+                most = std::max(most, length(expected[n]));
+            }
+            std::vector<Points> found;
+            for (const int threads : {1, 2, 3}) {
+                Sheet<double, SemiImplicitEuler> sheet(model, x, rest);
+                sheet.stepper.use_threads(threads);
+                FieldBuffer<double> direction(columns, rows), out(columns, rows);
+                set_points(direction, u);
+                sheet.stepper.stiffness(k, c, 0.0, direction, out);
+                found.push_back(points_of(out));
+                CHECK(found.back() == found.front());
+            }
+            // Springs of 8 cm turn by h/0.08 at most, whose square is nothing; forces known to a few eps of k 2 m are
+            // divided by h.
+            INFO(columns << " x " << rows << ", damping " << damping.value_or(0.0));
+            CHECK(distance(found.front(), expected) <
+                  (100.0 * epsilon<double> / h + 100.0 * h * h / (0.06 * 0.06)) * 1e3 * most);
+        }
+}
+
+TEMPLATE_LIST_TEST_CASE("Bending of no stiffness changes no bit", "[physics]", AllCases) {
     using Tested = Sheet<typename TestType::Real, typename TestType::Method>;
     const Grid grid{17, 5, 0.1, 0.08};
     const Terms terms =
@@ -342,10 +384,9 @@ TEST_CASE("A strip that buckled rests in the elastica's shape, nearer with order
     // goes with the root of e: the same share of the height.
     CHECK(off[0] / off[1] == Approx(4.0).epsilon(std::pow(pi / 8.0, 2)));
     CHECK(off[1] / off[2] == Approx(4.0).epsilon(std::pow(pi / 16.0, 2) + 2.0 * shortened / off[2]));
-    CHECK(std::abs(off[2]) < 2e-3);
 }
 
-TEST_CASE("A flag made of types bends", "[physics]") {
+TEST_CASE("A flag made of types has the bound of its bending", "[physics]") {
     const Grid grid = spread(9, 7, 0.8, 0.6);
     Flag<double, Leapfrog, Bending> flag(grid, Attach::hoist, {0.001, 50.0}, {.stiffness = 0.5, .damping = 20.0});
     Flag<double, Leapfrog> limp(grid, Attach::hoist, {0.001, 50.0});

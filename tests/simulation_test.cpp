@@ -262,6 +262,14 @@ TEST_CASE("Bending joins and leaves a run, and so does its damping, whatever the
             CHECK(masses(simulation) == state);
             run(simulation, 1);
         }
+        // A strength that is changed acts from the next step on.
+        Simulation stays(bent), changes(bent);
+        Scene stiffer = bent;
+        stiffer.terms.get<Bending>()->stiffness *= 2.0;
+        run(stays, 1), run(changes, 1);
+        changes.change(stiffer);
+        run(stays, 1), run(changes, 1);
+        CHECK(distance(stays, changes) > 0.0);
         const auto state = masses(simulation);
         simulation.change(scene);
         CHECK(masses(simulation) == state);

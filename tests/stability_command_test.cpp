@@ -167,4 +167,14 @@ TEST_CASE("bending limits every method, those that solve for springs too, as its
         ++counted;
     }
     CHECK(counted == 2 * 5);  // in both tables
+    // Strong drag: seen at the step's beginning by semi-implicit Euler, at its end by methods that solve.
+    for (const Json& limit : limits_of(bench, "beam.toml --set springs.drag=4 --stiffness 0.01 --damping 0")) {
+        INFO(limit);
+        if (limit["method"] == "forward-euler") continue;
+        CHECK(limit["measured_dt"].get<double>() == Approx(limit["theory_dt"].get<double>()).epsilon(one_per_cent));
+        const double r = 4.0 / 0.01;  // 1/s
+        if (limit["method"] == "implicit-euler" || limit["method"] == "xpbd")
+            CHECK(limit["theory_dt"].get<double>() ==
+                  Approx((r + std::sqrt(r * r + 4.0 * lambda)) / lambda).epsilon(one_per_cent));
+    }
 }

@@ -95,8 +95,9 @@ TEMPLATE_LIST_TEST_CASE("Any number of threads gives the same bits with bending,
     using Tested = Sheet<typename TestType::Real, typename TestType::Method>;
     constexpr int steps = steps_of<typename TestType::Method>;
     for (const auto& [columns, rows] : {std::pair{5, 4}, {17, 7}, {4, 41}})
-        for (const bool with_air : {false, true}) {
-            Model model = storm({columns, rows, 0.1, 0.08}, {0.01, 200.0, 100.0, {}}, with_air, false);
+        for (const auto& [travelling, with_air, limited] :
+             {std::tuple{false, false, false}, {true, false, true}, {true, true, false}}) {
+            Model model = storm({columns, rows, 0.1, 0.08}, {0.01, 200.0, 100.0, {}}, travelling, limited);
             model.terms.add(Bending{.stiffness = 0.02, .damping = 50.0});
             if (with_air) model.terms.add(Air{});
             const auto x = scattered(model.grid, 0.015), v = noise(masses_of(model), 1.0);

@@ -186,9 +186,9 @@ void evaluate_rows(const Pass<typename Lanes<V>::Real>& pass) {
 }
 
 /// u -> M^-1 [(k_weight K + c_weight C) u] + rate_weight * rate u, u being field 1, stored in pass.out: K and C are the
-/// Hessian of the springs as they are and of their dampers; with bending, whose parts of -M^-1 K u and -M^-1 C u are in
-/// pass.bent and pass.acceleration. The rows' sums get u.Ku, u.Cu and rate u.Mu (as elastic,
-/// damping_work and external_work) and, as products, u.Mu and |out|^2 with M.
+/// Hessian of the springs as they are and of their dampers. Where the cloth bends, pass.bent and pass.acceleration are
+/// its parts of -M^-1 K u and -M^-1 C u. The rows' sums get u.Ku, u.Cu and rate u.Mu (as elastic, damping_work and
+/// external_work) and, as products, u.Mu and |out|^2 with M.
 template <class V, bool damped, bool diagonals>
 void stiffness_rows(const Pass<typename Lanes<V>::Real>& pass) {
     using L = Lanes<V>;

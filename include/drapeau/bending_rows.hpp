@@ -10,11 +10,11 @@ inline namespace DRAPEAU_ISA {
 /// Rows that bending looks at on either side.
 inline constexpr int bending_reach = 2;
 
-/// Rows of moments that a pass keeps: of lines down the hoist three in turn, of the row's own line one.
-inline constexpr int moment_rows = 4;
+/// Rows of resistances that a pass keeps: of triples down the hoist three in turn, of those along the fly one.
+inline constexpr int resistance_rows = 4;
 
-/// What bends one line: B/2 |curvature|^2 gives each of three masses in a line M, -2M and M with the moment M = k times
-/// the curvature at the middle one, so a mass gets M_before - 2 M + M_after.
+/// Three masses in a line, a triple, store k/2 |d|^2, d being their second difference (m). Of the triple's resistance
+/// R = k d (N) each outer mass feels -R, the middle one 2 R; so a mass feels -(R_before - 2 R + R_after) of a line.
 template <class V, bool braked, bool accounted>
 class BendingPass {
 public:
@@ -23,8 +23,8 @@ public:
 
     DRAPEAU_INLINE explicit BendingPass(const Pass<Real>& pass) : pass_(pass) {}
 
-    /// Calls visit(j, i, a) with what bending accelerates each register of the rows with. Velocities count if `braked`;
-    /// if accounted, the energy stored goes into the rows' sums.
+    /// Calls visit(i, a) with what bending accelerates each register of the rows with, and row_end(j). Velocities count
+    /// if `braked`; if accounted, the energy stored goes into the rows' sums.
     template <class Visit, class RowEnd>
     DRAPEAU_INLINE void run(Visit&& visit, RowEnd&& row_end) {
         find_down(pass_.first - 1);
@@ -34,13 +34,13 @@ public:
             energy_below = find_down(j + 1);
             const double energy_along = find_along(j);
             if constexpr (accounted) pass_.sums[j].bending = energy_here + energy_along;
-            const Field<Real> fly = pass_.moments.row(moment_rows - 1);
+            const Field<Real> fly = pass_.resistances.row(resistance_rows - 1);
             const Field<Real> above = down(j - 1), here = down(j), below = down(j + 1);
             const Real* const inverse_mass = pass_.constants[j].inverse_mass;
             for (int i = 0; i < pass_.width; i += L::width) {
                 const auto force =
-                    curvature(fly.template at<V>(i - 1), fly.template at<V>(i), fly.template at<V>(i + 1)) +
-                    curvature(above.template at<V>(i), here.template at<V>(i), below.template at<V>(i));
+                    second_difference(fly.template at<V>(i - 1), fly.template at<V>(i), fly.template at<V>(i + 1)) +
+                    second_difference(above.template at<V>(i), here.template at<V>(i), below.template at<V>(i));
                 visit(i, (V{} - L::load(inverse_mass + i)) * force);
             }
             row_end(j);
@@ -48,14 +48,15 @@ public:
     }
 
 private:
-    DRAPEAU_INLINE static Vec3<V> curvature(const Vec3<V>& a, const Vec3<V>& b, const Vec3<V>& c) {
+    DRAPEAU_INLINE static Vec3<V> second_difference(const Vec3<V>& a, const Vec3<V>& b, const Vec3<V>& c) {
         return (a - b) - (b - c);
     }
     DRAPEAU_INLINE Field<Real> down(int j) const {
-        return pass_.moments.row((j + moment_rows - 1) % (moment_rows - 1));
+        return pass_.resistances.row((j + resistance_rows - 1) % (resistance_rows - 1));
     }
 
-    /// The moments of the lines down the hoist whose middle is row j. Returns the energy they store (J), if accounted.
+    /// The resistances of the triples down the hoist whose middle is row j. Returns the energy they store (J), if
+    /// accounted.
     DRAPEAU_INLINE double find_down(int j) {
         const Field<Real> to = down(j);
         const bool exists = j > 0 && j + 1 < pass_.rows;
@@ -67,12 +68,12 @@ private:
         const Real* const share = pass_.constants[j].bend_hoist;
         V energy{};
         for (int i = 0; i < pass_.width; i += L::width)
-            to.set(i, moment(L::load(share + i), pass_.bending.k_hoist, pass_.bending.c_hoist, energy,
-                             [&](int field) DRAPEAU_INLINE_LAMBDA {
-                                 return curvature(above.field[field].template at<V>(i),
-                                                  here.field[field].template at<V>(i),
-                                                  below.field[field].template at<V>(i));
-                             }));
+            to.set(i, resistance(L::load(share + i), pass_.bending.k_hoist, pass_.bending.c_hoist, energy,
+                                 [&](int field) DRAPEAU_INLINE_LAMBDA {
+                                     return second_difference(above.field[field].template at<V>(i),
+                                                              here.field[field].template at<V>(i),
+                                                              below.field[field].template at<V>(i));
+                                 }));
         return accounted ? 0.5 * sum_of(energy) : 0.0;
     }
     /// Those of row j along the fly, likewise.
@@ -80,21 +81,21 @@ private:
         const PassRow<Real, 2> row(pass_, j);
         const Real* const share = pass_.constants[j].bend_fly;
         V energy{};
-        const Field<Real> to = pass_.moments.row(moment_rows - 1);
+        const Field<Real> to = pass_.resistances.row(resistance_rows - 1);
         for (int i = 0; i < pass_.width; i += L::width)
-            to.set(i, moment(L::load(share + i), pass_.bending.k_fly, pass_.bending.c_fly, energy,
-                             [&](int field) DRAPEAU_INLINE_LAMBDA {
-                                 const Field<Real>& f = row.field[field];
-                                 return curvature(f.template at<V>(i - 1), f.template at<V>(i),
-                                                  f.template at<V>(i + 1));
-                             }));
+            to.set(i, resistance(L::load(share + i), pass_.bending.k_fly, pass_.bending.c_fly, energy,
+                                 [&](int field) DRAPEAU_INLINE_LAMBDA {
+                                     const Field<Real>& f = row.field[field];
+                                     return second_difference(f.template at<V>(i - 1), f.template at<V>(i),
+                                                              f.template at<V>(i + 1));
+                                 }));
         return accounted ? 0.5 * sum_of(energy) : 0.0;
     }
-    template <class Curvature>
-    DRAPEAU_INLINE static Vec3<V> moment(V share, Real k, Real c, V& energy, Curvature&& curvature_of) {
-        const auto bent = curvature_of(0);
+    template <class Difference>
+    DRAPEAU_INLINE static Vec3<V> resistance(V share, Real k, Real c, V& energy, Difference&& difference_of) {
+        const auto bent = difference_of(0);
         if constexpr (accounted) energy = energy + (k * share) * dot(bent, bent);
-        if constexpr (braked) return share * (k * bent + c * curvature_of(1));
+        if constexpr (braked) return share * (k * bent + c * difference_of(1));
         return (k * share) * bent;
     }
 

@@ -60,7 +60,7 @@ public:
           waiting_(body.rows.width()),
           acceleration_(body.model.grid.columns, 1),
           wind_(body.model.grid.columns, 1),
-          moments_(body.bent.columns(), body.bent.columns() > 0 ? moment_rows : 0),
+          resistances_(body.bent.columns(), body.bent.columns() > 0 ? resistance_rows : 0),
           ones_(static_cast<std::size_t>(body.rows.width())) {
         std::fill(ones_.begin(), ones_.end(), Real(1));
         for (int parity = 0; parity < 2; ++parity)
@@ -109,7 +109,7 @@ public:
         Pass<Real> p = pass(dt);
         look_beyond(p);
         p.time = now;
-        push(p, 0, body_.kernels.looked_velocity, true);
+        push(p, 0, body_.kernels.looked_velocity, kernel == body_.kernels.measure);
         p.out = out;
         kernel(p);
     }
@@ -119,10 +119,7 @@ public:
         Pass<Real> p = pass(0.0);
         look_beyond(p);
         p.time = now;
-        if (body_.model.varies_by_row())
-            p.accelerate = &accelerate_row;
-        else
-            accelerate(first_, p.time);
+        begin_terms(p);
         call(p, 0, 1, p.out, body_.kernels.air_rate);
     }
 
@@ -133,16 +130,18 @@ public:
         p.fields[1] = direction;
         look_beyond(p);
         p.k_weight = k_weight, p.c_weight = c_weight, p.rate_weight = rate_weight;
-        if (body_.model.bending()) {
+        if (const Bending* const bending = body_.model.bending()) {
             // Bending is linear: it makes of a direction what it makes of positions.
             const BendingStrength<Real> b = p.bending;
             std::fill_n(acceleration_.component(0).begin(), body_.rows.width(), Real(0));
             for (int c = 1; c < 3; ++c) acceleration_.component(c) = acceleration_.component(0);
             p.bent = body_.bent.view();
             call(p, 1, 1, p.bent, body_.kernels.bending[0][0]);
-            p.bending = {b.c_fly, b.c_hoist, Real(0), Real(0)};
-            call(p, 1, 1, body_.pushed.view(), body_.kernels.bending[0][0]);
-            p.acceleration = std::as_const(body_.pushed).view();
+            if (bending->damping) {
+                p.bending = {b.c_fly, b.c_hoist, Real(0), Real(0)};
+                call(p, 1, 1, body_.pushed.view(), body_.kernels.bending[0][0]);
+                p.acceleration = std::as_const(body_.pushed).view();
+            }
         }
         p.out = out;
         body_.kernels.stiffness(p);
@@ -206,7 +205,7 @@ private:
         const auto b = body_.model.bending_strength();
         p.bending = {static_cast<Real>(b.k_fly), static_cast<Real>(b.k_hoist), static_cast<Real>(b.c_fly),
                      static_cast<Real>(b.c_hoist)};
-        p.moments = moments_.view();
+        p.resistances = resistances_.view();
         p.waiting = waiting_.view();
         p.sums = body_.sums.data();
         return p;
@@ -215,12 +214,7 @@ private:
     /// What terms push masses with in a pass, from its state in these fields; accounted: what of it is stored as well.
     /// Nothing may have moved yet.
     void push(Pass<Real>& p, int position_field, int velocity_field, bool accounted) {
-        p.acceleration = one_for_all(acceleration_);
-        p.accelerate = nullptr;
-        if (body_.model.varies_by_row())
-            p.accelerate = &accelerate_row;
-        else
-            accelerate(first_, p.time);
+        begin_terms(p);
         const auto gather = [&](void (*kernel)(const Pass<Real>&)) {
             call(p, position_field, velocity_field, body_.pushed.view(), kernel);
             p.acceleration = std::as_const(body_.pushed).view();
@@ -232,6 +226,12 @@ private:
             p.bent = accounted ? body_.bent.view() : Field<Real>{};
             gather(body_.kernels.bending[bending->damping.has_value()][accounted]);
         }
+    }
+    /// Terms that do not see where masses are: once for all rows, or row by row.
+    void begin_terms(Pass<Real>& p) {
+        p.acceleration = one_for_all(acceleration_);
+        p.accelerate = body_.model.varies_by_row() ? &accelerate_row : nullptr;
+        if (!p.accelerate) accelerate(first_, p.time);
     }
     /// Calls a kernel of terms that see where masses are: it finds the state in fields 0 and 1.
     void call(Pass<Real> p, int position_field, int velocity_field, const Field<Real>& out,
@@ -289,7 +289,7 @@ private:
     int first_, last_, halo_rows_;  // rows
     WaitingBuffer<Real> waiting_;
     FieldBuffer<Real> acceleration_, wind_;  // one row
-    FieldBuffer<Real> moments_;              // of bending
+    FieldBuffer<Real> resistances_;          // of bending
     Array<Real> ones_;
     std::vector<FieldBuffer<Real>> above_[2], below_[2];  // of even and odd passes; empty at the cloth's border
 };

@@ -3,8 +3,7 @@
 // The closed bound (stability.hpp) holds in every configuration; the limit of the present one is up to a third larger.
 // It is found by power iteration on u -> M^-1 (K + w/dt C) u, K being the Hessian of the springs as they are and of
 // bending, C that of dampers, drag and friction, w the method's weight of damping: stable while dt^2 times its largest
-// eigenvalue is below
-// 4. The mode is kept from one look to the next, so that one product a frame follows a moving flag.
+// eigenvalue is below 4. The mode is kept from one look to the next, so that one product a frame follows a moving flag.
 //
 // A part of the mode is taken off its product (the spectrum is shifted), which damps the slow end of the spectrum and
 // lets the mode follow faster. What is found is a lower bound of the eigenvalue, but in cloth pressed to less than half

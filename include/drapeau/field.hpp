@@ -48,8 +48,8 @@ struct RowConstants {
     const Real* mass;                      // kg; 0 likewise
     const Real* rate;                      // 1/s, all drag and friction over the mass; 0 likewise
     const Real* area;                      // m2/kg, the share of the cloth's area over the mass; 0 likewise
-    // Of three masses in a line, by the one in the middle: the share of what they bend with along the fly, 0 at its
-    // ends and in a register to either side; down the hoist, whatever the row.
+    // By the middle one of three masses in a line, the share of what such a triple bends with: along the fly, 0 at the
+    // ends of a row; down the hoist, whatever the row.
     const Real *bend_fly, *bend_hoist;
 };
 
@@ -62,7 +62,7 @@ struct AirStrength {
     DRAPEAU_INLINE bool is_felt() const { return pressure > Real(0) || skin > Real(0); }
 };
 
-/// What three masses in a line bend with, along the fly and down the hoist (terms/bending.hpp).
+/// How three masses in a line resist being bent, along the fly and down the hoist (terms/bending.hpp).
 template <class Real>
 struct BendingStrength {
     Real k_fly, k_hoist, c_fly, c_hoist;  // N/m and N s/m
@@ -85,11 +85,11 @@ struct RowSums {
     double external_work;   // J, by drag, friction and every term that pushes masses, but what bending stores
     double damping_work;    // J, by the springs' dampers
     double drift[3];        // kg m, sum of m v dt with the velocity that work is counted with
-    double elastic;         // J
+    double elastic;         // J; measured, with what bending stores
     double bending;         // J, that bending stores
     double kinetic;         // J, as the ledger counts it
     double kinetic_now;     // J, of velocities at the positions' time
-    double power;           // W, of all but the springs' elasticity, with the velocity as stored
+    double power;           // W, of all but what is elastic, with the velocity as stored
     double stretch;         // sum of |l - L| / L
     double max_stretch;     // greatest (l - L) / L
     double max_force;       // N, greatest |k (l - L)|
@@ -130,9 +130,9 @@ struct Pass {
     void* terms;
     AirStrength<Real> air;
     BendingStrength<Real> bending;
-    Field<Real> moments;  // rows that its kernels keep moments of lines in
-    // m/s2, part of `acceleration`: of what bending stores; null where nothing bends. Written before passes that
-    // account.
+    Field<Real> resistances;  // rows that its kernels keep
+    // m/s2, part of `acceleration`: of what bending stores. Null where nothing bends, and in passes that neither account
+    // nor measure.
     Field<Real> bent;
     double time;     // s, of this pass
     Real dt;         // s

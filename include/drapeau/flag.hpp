@@ -40,7 +40,8 @@ class Flag {
     };
 
 public:
-    static constexpr bool damped = has<SpringDamping> || ((has<Air> || has<Bending>)&&predicts_velocity<Method>),
+    static constexpr bool brakes_by_neighbours = has<Air> || has<Bending>;
+    static constexpr bool damped = has<SpringDamping> || (brakes_by_neighbours && predicts_velocity<Method>),
                           diagonals = has<DiagonalSprings>;
     static constexpr bool rated = (brakes<Listed> || ...);
 

@@ -92,12 +92,12 @@ private:
 
 /// m x'' = -k x - (c + on_mass) x': one mode that bounds those of a whole model (stability.hpp).
 struct Oscillator {
-    double mass;       // kg
-    double stiffness;  // N/m
-    double damping;    // N s/m, of springs
-    double on_mass;    // N s/m, drag and friction
+    double mass;             // kg
+    double stiffness = 0.0;  // N/m
+    double damping = 0.0;    // N s/m, of springs
+    double on_mass = 0.0;    // N s/m, drag and friction
     double air = 0.0;  // N s/m, of the air on faces at most: it may be still, and brakes by velocities as springs do
-    double bending = 0.0, bending_damping = 0.0;  // N/m and N s/m: as springs', but that no method solves for it
+    double bending = 0.0, bending_damping = 0.0;  // N/m and N s/m: like springs', but no method solves for them
 
     double restoring() const { return stiffness + bending; }            // N/m
     double braking() const { return damping + air + bending_damping; }  // N s/m, all but on_mass
@@ -112,7 +112,8 @@ inline StableStep step_where(double stiffness, double damping, double four_masse
                                   (damping + std::sqrt(damping * damping + 4.0 * stiffness * four_masses)));
 }
 
-/// (Springs that are solved for only add to what keeps (1 + a_s) z^2 - (2 - a - b) z + 1 - b stable.)
+/// The limit of z^2 - (2 - a - b) z + 1 - b. Springs that pull, solved for, put 1 + a_s before z^2 and only enlarge it;
+/// in compressed ones a_s < 0 lets modes grow slowly below it (docs/model.md, "Bending").
 inline StableStep Oscillator::unsolved_step() const {
     return step_where(bending, 2.0 * (air + bending_damping), 4.0 * mass);
 }

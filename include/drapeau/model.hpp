@@ -178,7 +178,7 @@ public:
         const auto& listed = terms.get<Bending>();
         return listed && (grid.columns > 2 || grid.rows > 2) ? &*listed : nullptr;
     }
-    /// What lines along the fly and down the hoist bend with; 0 where no three masses stand in one.
+    /// How threads along the fly and down the hoist resist being bent; 0 where no three masses stand in a line.
     BendingStrength<double> bending_strength() const {
         const Bending* const b = bending();
         if (!b) return {};

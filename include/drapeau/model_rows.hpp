@@ -12,7 +12,7 @@ class ModelRows {
 public:
     explicit ModelRows(const Model& model)
         : width_(padded<Real>(model.grid.columns)),
-          arrays_(model.kinds().size() * arrays_a_kind * static_cast<std::size_t>(width_ + widest<Real>)),
+          arrays_(model.kinds().size() * arrays_a_kind * static_cast<std::size_t>(width_)),
           constants_(static_cast<std::size_t>(model.grid.rows)) {
         for (std::size_t j = 0; j < constants_.size(); ++j)
             constants_[j] = constants_of(model, model.kind(static_cast<int>(j)));
@@ -70,9 +70,8 @@ private:
         arrays_a_kind
     };
 
-    /// A register of zeros stands behind each.
     std::ptrdiff_t place(int kind, int which) const {
-        return (static_cast<std::ptrdiff_t>(kind) * arrays_a_kind + which) * (width_ + widest<Real>);
+        return (static_cast<std::ptrdiff_t>(kind) * arrays_a_kind + which) * width_;
     }
     Real* array(int kind, int which) { return arrays_.data() + place(kind, which); }
     const Real* array(int kind, int which) const { return arrays_.data() + place(kind, which); }

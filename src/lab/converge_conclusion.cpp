@@ -75,11 +75,11 @@ std::string verdict_text(const GridConvergence& grids) {
         case Verdict::compression:
             return fmt::format(
                 "Finer grids do not converge here: {} % of the springs are compressed, and folds are as narrow "
-                "as the cells allow (wavelength {} cells on {} x {}, {} on {} x {}). {} bending, so the grid decides where "
+                "as the cells allow (wavelength {} cells on {} x {}, {} on {} x {}). {}, so the grid decides where "
                 "the cloth folds: compare statistics, not positions.",
                 rounded(100.0 * finest.compressed_share, 2), rounded(grids.levels.front().fold_cells, 2),
                 grids.levels.front().columns, grids.levels.front().rows, rounded(finest.fold_cells, 2), finest.columns,
-                finest.rows, grids.is_bent ? "Such cells are too coarse for this" : "Nothing resists");
+                finest.rows, grids.is_bent ? "Such cells are too coarse for this bending" : "Nothing resists bending");
         case Verdict::chaos:
             return fmt::format(
                 "Finer grids do not converge over this time: the motion is chaotic ({}). Compare fewer --seconds, or "

@@ -12,9 +12,8 @@ constexpr const char* stability_notes =
     "masses.\n"
     "Its growth in a step is fitted; a run that breaks is not waited for. Theory is the method's own limit for the\n"
     "fastest mode of springs, bending, dampers, drag and friction as they lie. In motion a cloth may have faster "
-    "modes, up "
-    "to\n"
-    "the bound that dt auto respects.\n\n"
+    "modes,\n"
+    "up to the bound that dt auto respects.\n\n"
     "Example: drapeau-lab stability report --methods leapfrog,rk4 --stiffness 80,800,8000\n"
     "Exit status: 0 good, 2 bad input.";
 

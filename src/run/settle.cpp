@@ -47,7 +47,8 @@ Scene coarser(const Scene& scene) {
     return coarse;
 }
 
-/// The grids from the finest to the coarsest, of nothing but springs, weight and limits. Their springs may be damped.
+/// The grids from the finest to the coarsest, of nothing but springs, bending, weight and limits. Their springs may be
+/// damped.
 std::vector<Scene> grids_of(const Scene& scene) {
     Scene quiet = scene;
     quiet.wind().reset();

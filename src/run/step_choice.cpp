@@ -36,7 +36,7 @@ void check_automatic_step(Method method, double dt) {
     throw InputError("time.dt = \"auto\": " + std::string(name_of(method)) + " needs steps of " + quantity(dt, "s") +
                      " for these springs and masses, and " + quantity(least, "s") + " is the least; choose " +
                      (method == method_id<SemiImplicitEuler> ? "" : "semi-implicit-euler, ") +
-                     "softer springs, heavier masses or less damping");
+                     "softer springs, heavier masses, less damping or less bending");
 }
 
 std::string limit_of_step(Method method, const Model& model) {
@@ -52,12 +52,12 @@ std::string limit_of_step(Method method, const Model& model) {
             if (seconds < least.first) least = {seconds, name};
         };
         for (const auto& o : model.bounds()) {
-            alone({o.mass, o.stiffness, 0.0, 0.0}, "stiffness of the springs");
-            alone({o.mass, 0.0, o.damping, 0.0}, "damping of the springs");
-            alone({o.mass, 0.0, 0.0, o.on_mass}, "drag and friction");
-            alone({o.mass, 0.0, 0.0, 0.0, o.air}, "air on faces");
-            alone({o.mass, 0.0, 0.0, 0.0, 0.0, o.bending}, "bending stiffness");
-            alone({o.mass, 0.0, 0.0, 0.0, 0.0, 0.0, o.bending_damping}, "bending damping");
+            alone({.mass = o.mass, .stiffness = o.stiffness}, "stiffness of the springs");
+            alone({.mass = o.mass, .damping = o.damping}, "damping of the springs");
+            alone({.mass = o.mass, .on_mass = o.on_mass}, "drag and friction");
+            alone({.mass = o.mass, .air = o.air}, "air on faces");
+            alone({.mass = o.mass, .bending = o.bending}, "bending stiffness");
+            alone({.mass = o.mass, .bending_damping = o.bending_damping}, "bending damping");
         }
         return least.second;
     });

@@ -62,6 +62,7 @@ TEST_CASE("every setting of a scene has its control") {
     scene.wind().emplace();
     scene.gravity().emplace();
     scene.terms.get<drapeau::Air>().emplace();
+    scene.terms.get<drapeau::Bending>().emplace();
     Screen screen;
     TemporaryFolder folder;
     App app(screen, {written(folder, "all.toml", drapeau::write_scene(scene)), "--size", "900x640"});

@@ -25,7 +25,8 @@ struct ForwardEuler : OneKick {
 
     /// Wherever no spring is compressed (a compressed one lets the cloth buckle at any step). A spring that is
     /// stretched also resists sideways, where its damper does nothing: only drag and friction hold that, so dt k <
-    /// on_mass; and dt (c + on_mass + air) < 2m. (The air may be still, so it holds nothing.)
+    /// on_mass; and dt (c + on_mass + air) < 2m, bending being counted in k and c. (The air may be still, so it holds
+    /// nothing.)
     static StableStep stable_step(const Oscillator& o) {
         const double damping = o.braking() + o.on_mass;
         if (o.restoring() == 0.0 && damping == 0.0) return StableStep::unlimited();

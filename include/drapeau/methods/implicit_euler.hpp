@@ -1,6 +1,6 @@
 // Implicit Euler: v(t+dt) = v(t) + dt a(x(t+dt), v(t+dt), t+dt), x(t+dt) = x(t) + dt v(t+dt).
 //
-// Order 1. Stable at any step where the forces are linear, at the price of damping that nobody asked for: every mode
+// Order 1. Springs limit no step where they are linear, at the price of damping that nobody asked for: every mode
 // is damped as by springs with c + k dt, a mode of angular frequency w at the ratio w dt/2. Angular momentum is not
 // kept.
 //
@@ -26,7 +26,7 @@ struct ImplicitEuler : OneKick {
     static constexpr const char* name = "implicit-euler";
     static constexpr int order = 1;
     static constexpr const char* caution =
-        "stable at any step, but damps by itself: at 1/60 s a swing of 1 Hz keeps 72 % of its size each period";
+        "springs limit no step, but it damps by itself: at 1/60 s a swing of 1 Hz keeps 72 % of its size each period";
     static constexpr bool solves = true;
     static constexpr int passes = 30;  // about
     static constexpr double stage_time[] = {1.0};

@@ -6,8 +6,8 @@
 //   T = [k C + (c/dt) D] / [1 + (dt^2 k + dt c) (1/m_i + 1/m_j)]        moving its ends by dt^2 T / m towards each
 //   other
 //
-// At last v = (what the step moved)/dt. Stable at any step, and too soft by about the factor 1 + dt^2 k/m: only steps
-// far smaller than sqrt(m/k) have the springs' own stiffness. Order 1.
+// At last v = (what the step moved)/dt. Springs limit no step; they are too soft by about the factor 1 + dt^2 k/m: only
+// steps far smaller than sqrt(m/k) have the springs' own stiffness. Order 1.
 //
 // Springs are taken in groups that share no mass: along the fly every other one, then the others; then between rows j
 // and j+1 for even j (downwards, falling, rising), then for odd j. So the result is the same for any number of threads.
@@ -23,7 +23,7 @@ inline namespace DRAPEAU_ISA {
 struct Xpbd : OneKick {
     static constexpr const char* name = "xpbd";
     static constexpr int order = 1;
-    static constexpr const char* caution = "stable at any step, but springs give way 1 + dt²k/m times as far";
+    static constexpr const char* caution = "springs limit no step, but give way 1 + dt²k/m times as far";
     static constexpr bool solves = true;
     // Each spring pulls in the midst of a step: what strong dampers took is not known at its end.
     static constexpr bool counts_work = false;

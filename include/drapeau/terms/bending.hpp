@@ -1,10 +1,10 @@
-// Bending: what cloth resists being curved with, along its threads. Three masses in a line, a apart in a strip as wide
+// Bending: the resistance of cloth to curvature, along its threads. Three masses in a line, a apart in a strip as wide
 // as the lines are apart (b), hold
 //
 //   B/2 (b/a3) |x_left - 2 x + x_right|^2          B/2 of the curvature's square, over the area a b
 //
 // It is quadratic in positions, so its force is linear in them; a sheet that moves as a whole, turns or is stretched
-// evenly feels nothing. Ends of a line are free to turn, held or not. Threads bend, the cell between them does not
+// evenly feels nothing. Ends of a thread are free to turn, held or not. Threads bend, the cell between them does not
 // twist: across the bias the sheet bends half as hard. Sources: Bergou et al., A Quadratic Bending Model for
 // Inextensible Surfaces, 2006 (why quadratic); docs/model.md (values).
 #pragma once
