@@ -141,7 +141,8 @@ std::vector<Case> all_cases() {
                 for (const Listing& listing : {limit, travelling_x, travelling_xy})
                     add(Work::step, size, precision, listing);
             if (is_one_of(size, faces_sizes))
-                for (const Listing& listing : {faces, faces_travelling, bent}) add(Work::step, size, precision, listing);
+                for (const Listing& listing : {faces, faces_travelling, bent})
+                    add(Work::step, size, precision, listing);
         }
     for (const Work work : {Work::watched, Work::accounted, Work::measure, Work::mode})
         for (const Size& size : watched_sizes)

@@ -131,8 +131,8 @@ struct Pass {
     AirStrength<Real> air;
     BendingStrength<Real> bending;
     Field<Real> resistances;  // rows that its kernels keep
-    // m/s2, part of `acceleration`: of what bending stores. Null where nothing bends, and in passes that neither account
-    // nor measure.
+    // m/s2, part of `acceleration`: of what bending stores. Null where nothing bends, and in passes that neither
+    // account nor measure.
     Field<Real> bent;
     double time;     // s, of this pass
     Real dt;         // s

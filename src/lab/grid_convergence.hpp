@@ -53,7 +53,7 @@ struct GridConvergence {
     std::vector<LeftOut> left_out;
     bool is_border_apt = false;
     bool is_bent = false;  // something resists bending
-    double floor = 0.0;  // m, what rounding leaves of a position: no smaller difference is resolved
+    double floor = 0.0;    // m, what rounding leaves of a position: no smaller difference is resolved
     Verdict verdict = Verdict::unknown;
 
     bool does_converge() const { return verdict <= Verdict::no_matter; }
