@@ -68,7 +68,7 @@ TEST_CASE("A sheet bent to a parabola holds B/2 of the curvature's square, on ev
         // A chain is a strip as wide as its row's pitch.
         const double along_fly = held * std::max(0, across - 1) * std::max(1, down);
         const double along_hoist = held * std::max(0, down - 1) * std::max(1, across);
-        // Beside what the springs hold, less than a billionth of a metre of force squared.
+        // What springs of a billionth of a N/m hold that are longer by far less than a metre.
         const double nothing = 1e-9;
         INFO(grid.columns << " x " << grid.rows);
         CHECK(energy(curvature, 0.0) == Approx(along_fly).epsilon(1e-9).margin(nothing));

@@ -149,8 +149,8 @@ public:
         const auto bend = [&](int left, int n, int right, double share, double length, double width) {
             const double k = share * bending_->stiffness * width / std::pow(length, 3);
             const double c = share * bending_->damping.value_or(0.0) * model_.springs.mass / 16.0;
-            const auto moment = k * (x[left] - 2.0 * x[n] + x[right]) + c * (v[left] - 2.0 * v[n] + v[right]);
-            f[left] -= moment, f[n] += 2.0 * moment, f[right] -= moment;
+            const auto resistance = k * (x[left] - 2.0 * x[n] + x[right]) + c * (v[left] - 2.0 * v[n] + v[right]);
+            f[left] -= resistance, f[n] += 2.0 * resistance, f[right] -= resistance;
         };
         const bool light = shares_.front() < 1.0;
         for (int j = 0; j < grid.rows; ++j)

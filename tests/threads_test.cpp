@@ -38,80 +38,61 @@ bool same(const Report& a, const Report& b) {
            a.limit.sweeps == b.limit.sweeps && a.limit.max_stretch == b.limit.max_stretch && a.limit.met == b.limit.met;
 }
 
+/// Checks that a model's steps and readings have the same bits whoever shares them. Returns what one thread reports.
+template <class Case>
+Report check_threads(const Model& model) {
+    using Tested = Sheet<typename Case::Real, typename Case::Method>;
+    constexpr int steps = steps_of<typename Case::Method>;
+    // A spring is up to a third longer than at rest.
+    const auto x = scattered(model.grid, 0.015), v = noise(masses_of(model), 1.0);
+    Tested alone(model, x, v);
+    const Report report = alone.advance(dt, steps, steps / 2);
+    const Measurement measured = alone.measure();
+    const double air_rate = alone.stepper.air_rate(alone.time());
+    CHECK((air_rate > 0.0) == (model.air() != nullptr));
+    for (const int threads : {1, 2, 3, 5}) {
+        if (sanitized && threads != 2 && threads != 5) continue;
+        Tested shared(model, x, v);
+        shared.stepper.use_threads(threads);
+        CHECK(same(shared.advance(dt, steps, steps / 2), report));
+        CHECK(same_bits(alone, shared));
+        CHECK(same(shared.measure(), measured));
+        CHECK(shared.stepper.air_rate(shared.time()) == air_rate);
+    }
+    return report;
+}
+
 }  // namespace
 
 TEMPLATE_LIST_TEST_CASE("Any number of threads gives the same bits", "[physics][threads]", AllCases) {
-    using Tested = Sheet<typename TestType::Real, typename TestType::Method>;
-    constexpr int steps = steps_of<typename TestType::Method>;
     for (const auto& [columns, rows] : {std::pair{5, 2}, {5, 3}, {17, 7}, {33, 12}, {4, 41}, {1, 9}})
         for (const auto& springs : all_springs(0.01, 200.0, 100.0, 0.05))
             for (const auto& [travelling, limited] : {std::pair{false, false}, {true, false}, {true, true}}) {
-                const Model model = storm({columns, rows, 0.1, 0.08}, springs, travelling, limited);
-                // A spring is up to a third longer than at rest.
-                const auto x = scattered(model.grid, 0.015), v = noise(masses_of(model), 1.0);
-                Tested alone(model, x, v);
-                const Report report = alone.advance(dt, steps, steps / 2);
-                const Measurement measured = alone.measure();
+                const Report report =
+                    check_threads<TestType>(storm({columns, rows, 0.1, 0.08}, springs, travelling, limited));
                 CHECK((!limited || report.limit.sweeps > 0));
-                for (const int threads : {1, 2, 3, 5}) {
-                    if (sanitized && threads != 2 && threads != 5) continue;
-                    Tested shared(model, x, v);
-                    shared.stepper.use_threads(threads);
-                    CHECK(same(shared.advance(dt, steps, steps / 2), report));
-                    CHECK(same_bits(alone, shared));
-                    CHECK(same(shared.measure(), measured));
-                }
             }
 }
 
 TEMPLATE_LIST_TEST_CASE("Any number of threads gives the same bits with air on faces", "[physics][threads]", AllCases) {
-    using Tested = Sheet<typename TestType::Real, typename TestType::Method>;
-    constexpr int steps = steps_of<typename TestType::Method>;
     for (const auto& [columns, rows] : {std::pair{5, 2}, {17, 7}, {33, 12}, {4, 41}})
         for (const std::optional<double> damping : {std::optional<double>(), std::optional(0.05)})
             for (const auto& [travelling, limited] : {std::pair{false, false}, {true, true}}) {
                 Model model = storm({columns, rows, 0.1, 0.08}, {0.01, 200.0, 100.0, damping}, travelling, limited);
                 model.terms.add(Air{});
-                const auto x = scattered(model.grid, 0.015), v = noise(masses_of(model), 1.0);
-                Tested alone(model, x, v);
-                const Report report = alone.advance(dt, steps, steps / 2);
-                const Measurement measured = alone.measure();
-                const double air_rate = alone.stepper.air_rate(alone.time());
-                CHECK(air_rate > 0.0);
-                for (const int threads : {2, 3, 5}) {
-                    if (sanitized && threads == 3) continue;
-                    Tested shared(model, x, v);
-                    shared.stepper.use_threads(threads);
-                    CHECK(same(shared.advance(dt, steps, steps / 2), report));
-                    CHECK(same_bits(alone, shared));
-                    CHECK(same(shared.measure(), measured));
-                    CHECK(shared.stepper.air_rate(shared.time()) == air_rate);
-                }
+                check_threads<TestType>(model);
             }
 }
 
 TEMPLATE_LIST_TEST_CASE("Any number of threads gives the same bits with bending, which looks two rows away",
                         "[physics][threads]", AllCases) {
-    using Tested = Sheet<typename TestType::Real, typename TestType::Method>;
-    constexpr int steps = steps_of<typename TestType::Method>;
     for (const auto& [columns, rows] : {std::pair{5, 4}, {17, 7}, {4, 41}})
         for (const auto& [travelling, with_air, limited] :
              {std::tuple{false, false, false}, {true, false, true}, {true, true, false}}) {
             Model model = storm({columns, rows, 0.1, 0.08}, {0.01, 200.0, 100.0, {}}, travelling, limited);
             model.terms.add(Bending{.stiffness = 0.02, .damping = 50.0});
             if (with_air) model.terms.add(Air{});
-            const auto x = scattered(model.grid, 0.015), v = noise(masses_of(model), 1.0);
-            Tested alone(model, x, v);
-            const Report report = alone.advance(dt, steps, steps / 2);
-            const Measurement measured = alone.measure();
-            for (const int threads : {2, 3, 5}) {
-                if (sanitized && threads == 3) continue;
-                Tested shared(model, x, v);
-                shared.stepper.use_threads(threads);
-                CHECK(same(shared.advance(dt, steps, steps / 2), report));
-                CHECK(same_bits(alone, shared));
-                CHECK(same(shared.measure(), measured));
-            }
+            check_threads<TestType>(model);
         }
 }
 
