@@ -31,6 +31,7 @@ constexpr Listing limit{.limit = true};
 constexpr Listing faces{.drag = false, .faces = true};
 constexpr Listing faces_travelling{.drag = false, .wind = Blowing::travelling_x, .faces = true};
 constexpr Listing bent{.bending = true};
+constexpr Listing touching{.contacts = true};
 constexpr Listing travelling_x{.wind = Blowing::travelling_x};
 constexpr Listing travelling_xy{.wind = Blowing::travelling_xy};
 
@@ -57,6 +58,7 @@ std::vector<std::string> Listing::names() const {
     if (limit) names.push_back("limit");
     if (faces) names.push_back("air on faces");
     if (bending) names.push_back("bending");
+    if (contacts) names.push_back("ground and pole");
     return names;
 }
 
@@ -76,6 +78,7 @@ std::string Listing::label() const {
     add(limit, "limit");
     add(faces, "air");
     add(bending, "bending");
+    add(contacts, "contacts");
     add(wind == Blowing::travelling_x, "travelling");
     add(wind == Blowing::travelling_xy, "travelling-down");
     return label.empty() ? "all" : label;
@@ -141,7 +144,7 @@ std::vector<Case> all_cases() {
                 for (const Listing& listing : {limit, travelling_x, travelling_xy})
                     add(Work::step, size, precision, listing);
             if (is_one_of(size, faces_sizes))
-                for (const Listing& listing : {faces, faces_travelling, bent})
+                for (const Listing& listing : {faces, faces_travelling, bent, touching})
                     add(Work::step, size, precision, listing);
         }
     for (const Work work : {Work::watched, Work::accounted, Work::measure, Work::mode})
@@ -186,6 +189,7 @@ Scene scene_of(const Case& c) {
     }
     if (listing.faces) scene.terms.add(drapeau::Air{});
     if (listing.bending) scene.terms.add(Bending{.damping = 200.0});
+    if (listing.contacts) scene.limits.add(Ground{.height = -1.1 * scene.flag.height}).add(Pole{});
     if (listing.limit) scene.limits.add(StretchLimit{.stretch = 0.5});
     scene.time.method = c.method;
     scene.time.precision = c.precision;

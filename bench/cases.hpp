@@ -30,6 +30,7 @@ struct Listing {
     bool limit = false;
     bool faces = false;  // the air on faces, instead of drag
     bool bending = false;
+    bool contacts = false;  // ground and pole
 
     bool operator==(const Listing&) const = default;
     /// Names of what is there, "structural" first.

@@ -81,6 +81,7 @@ public:
                       .start = static_cast<Start>(whole(0, 2)),
                       .prestretch = number(-0.9, 10.0),
                       .disturbance = coin() ? std::optional(positive(1e-9, 1.0)) : std::nullopt,
+                      .halyard = coin() ? std::optional(number(0.0, 1.0)) : std::nullopt,
                       .texture = text()};
         scene.springs = {.mass = positive(1e-9, 1e3),
                          .stiffness = positive(1e-9, 1e9),
@@ -105,6 +106,8 @@ public:
             scene.terms.add(Air{positive(1e-3, 1e3), coin() ? std::optional(number(0.0, 100.0)) : std::nullopt,
                                 coin() ? std::optional(number(0.0, 100.0)) : std::nullopt});
         if (coin()) scene.limits.add(StretchLimit{positive(1e-6, 10.0)});
+        if (coin()) scene.limits.add(Ground{number(-1e3, 1e3), positive(1e-6, 100.0)});
+        if (coin()) scene.limits.add(Pole{positive(1e-3, 10.0), positive(1e-6, 100.0)});
         if (coin()) {
             scene.wind() = Wind{three(-1e6, 1e6), three(0.0, 1e6), positive(1e-3, 1e6), coin(), random_() >> 1};
         } else if (coin()) {
@@ -329,14 +332,6 @@ TEST_CASE("an unknown key or table is named, with what may have been meant") {
     CHECK(message_of("[sprngs]\nmass = 3\n") == "storm.toml:1: [sprngs]: unknown table; did you mean springs?");
     CHECK(has(message_of(springs + "[physics]\n"), "[physics]: unknown table; known here: name, flag, springs"));
     CHECK(is_one_line(message_of("\"a\\nb\" = 3\n" + springs)));
-}
-
-TEST_CASE("what the format reserves for later is refused as not available") {
-    for (const std::string table : {"ground", "pole"}) {
-        const std::string message = message_of(springs + "[" + table + "]\n");
-        INFO(message);
-        CHECK(message.starts_with("storm.toml:4: [" + table + "]: not available in this version"));
-    }
 }
 
 TEST_CASE("an image that is text is no scene, and the message says where it goes") {

@@ -414,6 +414,74 @@ TEST_CASE("Every attachment holds just the masses it names", "[physics]") {
                 }
 }
 
+TEST_CASE("A halyard hauls the flag to its place on the pole, and there it stays", "[physics]") {
+    for (const Method method : all_methods())
+        for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
+            Scene scene = small(precision);
+            scene.time.method = method;
+            if (method == method_id<ForwardEuler>) scene.springs->damping = 0.2;
+            scene.limits.add(Ground{-4.0, 0.4});
+            scene.flag.halyard = 1.0;
+            Simulation simulation(scene);
+            run(simulation, 6);
+            CHECK(masses(simulation).front().x == glm::dvec3(0.0));
+            scene.flag.halyard = 0.9;  // 0.4 m lower: 0.8 s
+            simulation.change(scene);
+            run(simulation, 24);
+            CHECK(masses(simulation).front().x.y == Approx(-0.2).epsilon(1e-3));
+            CHECK(simulation.readings().created_share < 0.05);
+            scene.flag.rows = 9;  // on its way
+            simulation.change(scene);
+            CHECK(masses(simulation).front().x.y == Approx(-0.2).epsilon(1e-3));
+            run(simulation, 30);
+            const auto there = masses(simulation);
+            CHECK(there.front().x.y == Approx(-0.4).epsilon(1e-6));
+            CHECK(there.front().v == glm::dvec3(0.0));
+            run(simulation, 6);
+            const auto still = masses(simulation);
+            for (std::size_t j = 0; j < 9; ++j) CHECK(still[11 * j].x == there[11 * j].x);
+            // As a scene that begins there has it.
+            const auto begun = masses(Simulation(scene));
+            for (std::size_t j = 0; j < 9; ++j) CHECK(length(begun[11 * j].x - still[11 * j].x) < 1e-6);
+            scene.flag.halyard = 0.0;  // its foot stands on the ground
+            simulation.change(scene);
+            run(simulation, 1);
+            scene.flag.halyard.reset();  // let be on its way
+            simulation.change(scene);
+            run(simulation, 2);
+            CHECK(masses(simulation).front().v == glm::dvec3(0.0));
+            scene.flag.halyard = 0.0;
+            scene.flag.start = Start::crumpled;
+            CHECK(masses(Simulation(scene)).front().x.y == Approx(-4.0 + scene.flag.height));
+        }
+}
+
+TEST_CASE("Ground and pole join and leave a run", "[physics]") {
+    for (const Method method : all_methods()) {
+        Scene scene = small();
+        scene.time.method = method;
+        if (method == method_id<ForwardEuler>) scene.springs->damping = 0.2;
+        Simulation simulation(scene);
+        run(simulation, 6);
+        scene.limits.add(Ground{-0.9, 0.4}).add(Pole{});
+        const auto before = masses(simulation);
+        simulation.change(scene);
+        CHECK(masses(simulation) == before);
+        run(simulation, 12);
+        const auto& held = simulation.model();
+        const auto after = masses(simulation);
+        for (int n = 0; n < 77; ++n)
+            if (!held.held(n % 11, n / 11)) CHECK(after[static_cast<std::size_t>(n)].x.y >= -0.9 - 1e-12);
+        scene.limits = {};
+        simulation.change(scene);
+        CHECK(masses(simulation) == after);
+        run(simulation, 60);
+        double lowest = 0.0;
+        for (const auto& mass : masses(simulation)) lowest = std::min(lowest, mass.x.y);
+        CHECK(lowest < -0.9);
+    }
+}
+
 TEST_CASE("A hanging start is at rest", "[physics]") {
     for (const auto attach : {Attach::hoist, Attach::grommets, Attach::top, Attach::corner}) {
         Scene scene = small();

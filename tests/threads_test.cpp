@@ -18,7 +18,7 @@ constexpr int steps_of = sanitized        ? 3
 /// Every force, travelling gusts that differ from row to row, and a limit that has work to do.
 Model storm(const Grid& grid, const Springs& springs, bool travelling, bool limited) {
     Limits limits;
-    if (limited) limits.add(StretchLimit{0.05});
+    if (limited) limits.add(StretchLimit{0.05}).add(Ground{-0.15, 0.3}).add(Pole{0.02, 0.3});
     return Model(grid, springs, Attach::corner,
                  Terms()
                      .add(Gravity{{0.3, -9.81, 0.1}})

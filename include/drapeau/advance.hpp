@@ -89,7 +89,9 @@ DRAPEAU_INLINE void for_rows_accounted(const Pass<typename Lanes<V>::Real>& pass
             const auto motion = move(Masses<V>{row.field, i}, constants, a);
             auto pushed = motion.acceleration - w * springs;
             if (pass.bent.x) pushed = pushed - bent.template at<V>(i);
-            external = external + m * dot(pushed, motion.velocity);
+            // What is held and moved all the same (Stepper::haul) is pulled against its springs.
+            const V pulled = dot(force.elastic, motion.velocity);
+            external = external + m * dot(pushed, motion.velocity) - (pulled - L::where_positive(w, pulled));
             damping = damping + dot((m * w) * force.damping, motion.velocity);
             drift = drift + m * motion.velocity;
         },

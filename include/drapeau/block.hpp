@@ -35,6 +35,7 @@ struct Body {
         if (bends || model.terms.template get<Air>()) pushed = FieldBuffer<Real>(model.grid.columns, model.grid.rows);
         if (bends) bent = FieldBuffer<Real>(model.grid.columns, model.grid.rows), halo_rows = bending_reach;
         for (int f = 0; f < kernels.fields; ++f) fields.emplace_back(model.grid.columns, model.grid.rows, f);
+        if (model.touches()) before = fields[0];
     }
     Body(const Body&) = delete;
 
@@ -44,6 +45,7 @@ struct Body {
     std::vector<FieldBuffer<Real>> fields;  // position, velocity and what the method keeps
     // What terms push each mass with, and of that what bending stores; empty but with terms that see where masses are.
     FieldBuffer<Real> pushed, bent;
+    FieldBuffer<Real> before;  // positions before the step; empty but where masses may touch something
     int halo_rows = SpringForce<Real, true>::reach;
     Array<RowSums> sums;  // not std's: its functions would be shared between instruction sets (isa.hpp)
 };
@@ -91,6 +93,7 @@ public:
         meet();
         for (long long step = from; step < to; ++step) {
             const auto* kernels = step == accounted ? k.advance_accounted : k.advance;
+            remember();
             for (int n = 0; n < k.passes; ++n) {
                 p.time = clock.at(step) + k.stage_time[n] * clock.dt;
                 use_halos(p, parity);
@@ -147,6 +150,13 @@ public:
         body_.kernels.stiffness(p);
     }
 
+    /// The contacts, after a step.
+    void touch() {
+        body_.model.limits.for_each([&]<class Limit>(const Limit& limit) {
+            if constexpr (Contact<Limit>) touch(limit);
+        });
+    }
+
     /// Kinetic energy of the velocities as stored, into the rows' sums.
     void sum_kinetic() {
         using V = Vector<Real, 16>;
@@ -176,10 +186,54 @@ private:
             p.time = clock.at(step) + body_.kernels.stage_time[0] * clock.dt;
             p.accounted = step == accounted;
             push(p, 0, 1, p.accounted);
+            remember();
             body_.kernels.step(p);
             after_the_move(step);
             meet();
         }
+    }
+
+    template <class C>
+    void touch(const C& contact) {
+        using V = Vector<Real, 16>;
+        const Grid& grid = body_.model.grid;
+        Field<Real> fields[max_fields]{};
+        for (int f = 0; f < body_.kernels.fields; ++f) fields[f] = body_.fields[f].view();
+        for (int j = first_; j < last_; ++j) {
+            const Real* const free = body_.rows.constants()[j].inverse_mass;
+            for (int i = 0; i < body_.rows.width(); i += Lanes<V>::width) {
+                const std::ptrdiff_t n = j * fields[0].stride + i;
+                const V depth = Lanes<V>::where_positive(Lanes<V>::load(free + i),
+                                                         contact.depth(grid, fields[0].template at<V>(n)));
+                if (!(max_of(depth) > 0.0)) continue;  // of nearly all registers
+                for (int m = 0; m < Lanes<V>::width; ++m)
+                    if (lane(depth, m) > 0.0) touch(contact, fields, n + m);
+            }
+        }
+    }
+    template <class C>
+    void touch(const C& contact, const Field<Real>* fields, std::ptrdiff_t n) {
+        const auto at = [n](const Field<const Real>& field) {
+            return Vec3<double>{static_cast<double>(field.x[n]), static_cast<double>(field.y[n]),
+                                static_cast<double>(field.z[n])};
+        };
+        const auto rounded = [](const Vec3<double>& a) {
+            return Vec3<Real>{static_cast<Real>(a.x), static_cast<Real>(a.y), static_cast<Real>(a.z)};
+        };
+        const auto x = at(fields[0]), v = at(fields[1]);
+        auto x_next = x, v_next = v;
+        resist(contact.surface(body_.model.grid, x), contact.friction, at(std::as_const(body_.before).view()),
+               x_next, v_next);
+        body_.kernels.follow(fields, n, rounded(x_next - x), rounded(v_next - v));
+    }
+
+    /// Where this block's masses are, for the contacts at the step's end.
+    void remember() {
+        if (body_.before.columns() == 0) return;
+        const std::ptrdiff_t stride = body_.before.stride();
+        for (int c = 0; c < 3; ++c)
+            std::copy_n(body_.fields[0].component(c).begin() + first_ * stride, (last_ - first_) * stride,
+                        body_.before.component(c).begin() + first_ * stride);
     }
 
     /// Instead of halos, the neighbours' rows themselves.

@@ -177,8 +177,8 @@ struct Kernels {
     // One mass: n is its element, a its acceleration but for drag and friction.
     void (*start)(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& a, Real rate, Real dt);
     Vec3<Real> (*synchronised)(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& a, Real rate, Real dt);
-    // Moves a mass by dx and lets its velocity follow: what a pass after the move does.
-    void (*follow)(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& dx, Real dt);
+    // Moves a mass by dx and its velocity by dv: what a pass after the move does.
+    void (*follow)(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& dx, const Vec3<Real>& dv);
 };
 
 }  // namespace drapeau

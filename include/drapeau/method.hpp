@@ -17,7 +17,7 @@
 //   starts_with_forces           whether the next two need the acceleration (they and follow are for one mass)
 //   start<damped>                at every start, position and velocity being of the same time: sets what is kept
 //   synchronised<damped>         the velocity at the position's time; asked only with starts_with_forces
-//   follow<damped>               moves a mass by dx and lets its velocity, and what is kept of both, follow
+//   follow<damped>               moves a mass by dx and its velocity by dv, and what is kept of both
 //   smooth_step(oscillator)      if it has one: up to here an automatic step is smooth, though larger ones are stable
 //   stable_step(oscillator)      the largest stable step, see stability.hpp
 //   bound_is_safe_only           whether a single mode may be stable at larger steps than that
@@ -158,12 +158,11 @@ struct OneKick {
     static Vec3<Real> synchronised(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>&, Real, Real) {
         return fields[1].template at<Real>(n);
     }
-    /// x += dx, v += dx / dt: a mass that was moved over has the velocity it was moved with.
     template <bool damped, class Real>
-    static void follow(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& dx, Real dt) {
+    static void follow(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& dx, const Vec3<Real>& dv) {
         const Masses<Real> mass{fields, n};
         mass.set(0, mass.get(0) + dx);
-        mass.set(1, mass.get(1) + (Real(1) / dt) * dx);
+        mass.set(1, mass.get(1) + dv);
     }
 };
 

@@ -157,11 +157,9 @@ public:
         });
         return sum * static_cast<double>(grid.masses());
     }
-    bool is_limited() const {
-        bool any = false;
-        limits.for_each([&](const auto&) { any = true; });
-        return any;
-    }
+    /// Whether there is a pass after the move over the cloth as a whole, and one over each mass by itself.
+    bool is_limited() const { return lists<false>(); }
+    bool touches() const { return lists<true>(); }
 
     /// The share (m2) of the cloth that mass (i, j) stands for: half a cell on a border, a quarter in a corner.
     double area(int i, int j) const { return at(j).area[i] * cell(); }
@@ -235,6 +233,13 @@ public:
     }
 
 private:
+    template <bool contacts>
+    bool lists() const {
+        bool any = false;
+        limits.for_each([&]<class Limit>(const Limit&) { any = any || Contact<Limit> == contacts; });
+        return any;
+    }
+
     const Kind& at(int j) const { return kinds_[static_cast<std::size_t>(row_[static_cast<std::size_t>(j)])]; }
 
     Kind kind_of(int j, Attach attach, Borders borders) const {

@@ -94,9 +94,18 @@ public:
             blocks_[n]->advance(
                 clock, first, last, accounted, meet,
                 [&](long long step) {
-                    if (!model().is_limited()) return;
+                    const bool counts = step == accounted && (model().is_limited() || model().touches());
+                    const double now = clock.at(step + 1);
+                    if (model().is_limited() || counts) {
+                        meet();
+                        if (n == 0 && counts) report.work.passes -= measure_alone(now).balance();
+                        if (n == 0) limit(clock.dt, report.limit);
+                        meet();
+                    }
+                    if (model().touches()) blocks_[n]->touch();
+                    if (!counts) return;
                     meet();
-                    if (n == 0) after_the_move(clock.at(step + 1), clock.dt, step == accounted, report);
+                    if (n == 0) report.work.passes += measure_alone(now).balance();
                     meet();
                 },
                 n == 0 ? &report.solves : nullptr);
@@ -172,6 +181,16 @@ public:
         have_synchronised();
     }
 
+    /// From time `now` (s) on moves what is held with this velocity (m/s), the same for all of it: what hauls does the
+    /// work.
+    void haul(double now, const glm::dvec3& velocity) {
+        synchronise(now);
+        for (int j = 0; j < model().grid.rows; ++j)
+            for (int i = 0; i < model().grid.columns; ++i)
+                if (model().held(i, j)) velocity_.set(i, j, velocity);
+        have_synchronised();
+    }
+
     /// Kinetic energy (J) of the velocities as stored, for little.
     double kinetic() {
         run([&](int n) { blocks_[n]->sum_kinetic(); });
@@ -187,24 +206,26 @@ private:
         team_->run([&](int n) { region(n); });
     }
 
-    /// The passes after the move, by one member: positions are corrected, then velocities follow.
-    void after_the_move(double now, double dt, bool accounted, Report& report) {
-        const double before = accounted ? measure_alone(now).balance() : 0.0;
-        moved_ = position_;
+    /// The passes over the cloth as a whole, by one member: positions are corrected, then velocities follow, v += dx/dt:
+    /// a mass that was moved over has the velocity it was moved with.
+    void limit(double dt, PassReport& report) {
         bool changed = false;
-        model().limits.for_each([&](const auto& limit) {
-            const PassReport done =
-                limit.apply(model().grid, model().has_diagonals(), body_.rows.constants(), moved_.view());
-            report.limit.add(done);
-            changed = changed || done.sweeps > 0;
+        model().limits.for_each([&]<class Limit>(const Limit& limit) {
+            if constexpr (!Contact<Limit>) {
+                if (!changed) moved_ = position_;
+                const PassReport done =
+                    limit.apply(model().grid, model().has_diagonals(), body_.rows.constants(), moved_.view());
+                report.add(done);
+                changed = changed || done.sweeps > 0;
+            }
         });
         if (!changed) return;
         const auto to = moved_.view();
+        const Real rate = Real(1) / static_cast<Real>(dt);
         each_mass([&](const Field<Real>* fields, std::ptrdiff_t n, int, int) {
             const auto dx = to.template at<Real>(n) - fields[0].template at<Real>(n);
-            if (dx.x != 0 || dx.y != 0 || dx.z != 0) body_.kernels.follow(fields, n, dx, static_cast<Real>(dt));
+            if (dx.x != 0 || dx.y != 0 || dx.z != 0) body_.kernels.follow(fields, n, dx, rate * dx);
         });
-        if (accounted) report.work.passes += measure_alone(now).balance() - before;
     }
 
     void restart(double now, double dt) {

@@ -113,7 +113,7 @@ nlohmann::ordered_json reduction_json(const PriceStudy& study, const Reduction& 
 }  // namespace
 
 std::string compared_text(const PriceStudy& study) {
-    const Ground& ground = study.ground();
+    const Footing& ground = study.ground();
     std::string text = fmt::format("{}: {} compared, after {} to swing in; flown by rk4 in double at {}\n",
                                    ground.variant.scene.name, span_of(study), quantity(ground.stretch.time, "s"),
                                    quantity(batch_seconds / static_cast<double>(ground.reference.rk4_steps), "s"));
@@ -194,7 +194,7 @@ std::string reduced_text(const PriceStudy& study, const Reduction& reduction, co
 
 nlohmann::ordered_json as_json(const PriceStudy& study, const Prices& prices,
                                const std::optional<Reduction>& reduction) {
-    const Ground& ground = study.ground();
+    const Footing& ground = study.ground();
     const bool beyond = study.is_beyond_horizon();
     nlohmann::ordered_json json{{"scene", ground.variant.scene.name},
                                 {"settle_s", ground.stretch.time},

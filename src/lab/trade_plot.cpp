@@ -142,7 +142,7 @@ void add_keys(Curves& curves, const TradeFindings& findings, bool has_diverged) 
 }  // namespace
 
 std::string work_precision_script(const TradeSweep& sweep, const TradeFindings& findings) {
-    const Ground& ground = sweep.grounds().front();
+    const Footing& ground = sweep.grounds().front();
     const Frame frame = frame_of(findings);
     std::string title = fmt::format("{}: cost over error, {} compared", one_line(ground.variant.scene.name, 60),
                                     quantity(ground.stretch.seconds(), "s"));

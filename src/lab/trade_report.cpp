@@ -130,7 +130,7 @@ std::string name_of(const TradePoint& point, const std::vector<Variant>& variant
 }
 
 std::string reference_text(const TradeSweep& sweep) {
-    const Ground& ground = sweep.grounds().front();
+    const Footing& ground = sweep.grounds().front();
     const ReferenceFlight& reference = ground.reference;
     const Growth& growth = sweep.growth();
     const auto step = [](long long steps) { return quantity(batch_seconds / static_cast<double>(steps), "s"); };
@@ -202,7 +202,7 @@ std::string orders_text(const TradeSweep& sweep, const TradeFindings& findings) 
 
 nlohmann::ordered_json as_json(const TradeSweep& sweep, const TradeFindings& findings) {
     const bool beyond = sweep.is_beyond_horizon();
-    const Ground& ground = sweep.grounds().front();
+    const Footing& ground = sweep.grounds().front();
     nlohmann::ordered_json json{{"scene", ground.variant.scene.name},
                                 {"settle_s", ground.stretch.time},
                                 {"seconds", ground.stretch.seconds()},
@@ -210,7 +210,7 @@ nlohmann::ordered_json as_json(const TradeSweep& sweep, const TradeFindings& fin
                                 {"growth_per_s", sweep.growth().is_seen() ? sweep.growth().rate : NAN},
                                 {"horizon_s", sweep.horizon()}};
     const auto step = [](long long steps) { return batch_seconds / static_cast<double>(steps); };
-    const auto reference_json = [&](const Ground& of) {
+    const auto reference_json = [&](const Footing& of) {
         const ReferenceFlight& r = of.reference;
         return nlohmann::ordered_json{{"key", of.variant.key},
                                       {"method", name_of(method_id<Rk4>)},

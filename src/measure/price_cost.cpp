@@ -83,7 +83,7 @@ Share Costs::saved(std::size_t from, std::size_t to) const {
     return {interval.median, std::max({finest, interval.high - interval.median, interval.median - interval.low})};
 }
 
-Costs costs_of(const std::vector<Scene>& scenes, const Ground& ground, double seconds,
+Costs costs_of(const std::vector<Scene>& scenes, const Footing& ground, double seconds,
                const std::function<void()>& tick) {
     std::vector<Contender> contenders;
     Costs costs;
@@ -114,7 +114,7 @@ Costs costs_of(const std::vector<Scene>& scenes, const Ground& ground, double se
     return costs;
 }
 
-Cost as_run(const Scene& scene, const Ground& ground) {
+Cost as_run(const Scene& scene, const Footing& ground) {
     return first_run(scene, stretch_on(scene, ground)).cost;
 }
 

@@ -39,11 +39,11 @@ struct Costs {
 };
 
 /// `seconds`: of time on the wall that the rounds may take; six are made at least.
-Costs costs_of(const std::vector<Scene>& scenes, const Ground& ground, double seconds,
+Costs costs_of(const std::vector<Scene>& scenes, const Footing& ground, double seconds,
                const std::function<void()>& tick);
 
 /// Runs the scene over the stretch once, for its step and whether it holds; it is not timed.
-Cost as_run(const Scene& scene, const Ground& ground);
+Cost as_run(const Scene& scene, const Footing& ground);
 
 /// The scene at a given step (s).
 Scene at_step(const Scene& scene, double dt);

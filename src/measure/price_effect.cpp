@@ -43,7 +43,7 @@ Flight sum_of(Flight flight, const Flight& plus, const Flight& minus) {
 /// Flights of one scene over the ground's stretch.
 class Flights {
 public:
-    Flights(const Scene& scene, const Ground& ground, const std::function<bool()>& may_go_on)
+    Flights(const Scene& scene, const Footing& ground, const std::function<bool()>& may_go_on)
         : scene_(scene),
           ground_(ground),
           model_(model_of(scene)),
@@ -116,7 +116,7 @@ private:
     }
 
     const Scene& scene_;
-    const Ground& ground_;
+    const Footing& ground_;
     Model model_;
     Stretch stretch_;
     Yardstick yardstick_;
@@ -125,13 +125,13 @@ private:
 
 }  // namespace
 
-Stretch stretch_on(const Scene& scene, const Ground& ground) {
+Stretch stretch_on(const Scene& scene, const Footing& ground) {
     Stretch stretch = ground.stretch;
     if (!is_on_same_grid(scene, ground.variant.scene)) stretch.start = carried_over(ground.stretch.start, scene);
     return stretch;
 }
 
-Effect effect_of(const Scene& scene, const Ground& ground, bool only_statistics,
+Effect effect_of(const Scene& scene, const Footing& ground, bool only_statistics,
                  const std::function<bool()>& may_go_on) {
     Effect effect;
     const long long steps = ground.reference.rk4_steps;

@@ -21,13 +21,13 @@ struct Effect {
 };
 
 /// The stretch of the ground as the scene's grid has it.
-Stretch stretch_on(const Scene& scene, const Ground& ground);
+Stretch stretch_on(const Scene& scene, const Footing& ground);
 
 /// Flies rk4 in double at the steps of the ground's reference, and at twice and four times those for its error; one
 /// flight where only statistics are asked for. A scene in float, where the ground's is in double, is flown with the
 /// rounding of its own method and step too; one without the ground's tolerance with what that changes of its own run,
 /// as the programs run it. Nothing is measured where it does not hold, or `may_go_on()` was false.
-Effect effect_of(const Scene& scene, const Ground& ground, bool only_statistics,
+Effect effect_of(const Scene& scene, const Footing& ground, bool only_statistics,
                  const std::function<bool()>& may_go_on);
 
 }  // namespace drapeau

@@ -86,7 +86,7 @@ bool PriceStudy::drop_one(Reduction& reduction, const Prices& prices, std::vecto
 
 void PriceStudy::confirm(Reduction& reduction) {
     const double tolerance = *request_.tolerance;
-    const Ground second = after(*ground_);
+    const Footing second = after(*ground_);
     while (!reduction.dropped.empty()) {
         reduction.confirmed = effect(reduction.scene, second);
         if (reduction.confirmed.is_within(tolerance)) break;
@@ -96,7 +96,7 @@ void PriceStudy::confirm(Reduction& reduction) {
         reduction.scene = reduction.dropped.empty() ? request_.scene : reduction.dropped.back().part.without;
     }
     if (reduction.dropped.empty()) return;
-    const Ground third = after(second);
+    const Footing third = after(second);
     reduction.check = effect(reduction.scene, third);
     const Costs costs = this->costs({request_.scene, reduction.scene}, third, 0.3);
     reduction.before = costs.of[0];

@@ -129,15 +129,15 @@ void PriceStudy::restore(const Basis& basis, double dt) {
     is_shortened_ = basis.is_shortened;
     growth_ = basis.growth;
     reference_tip_ = basis.tip;
-    ground_ = Ground{as_given(request_.scene),
+    ground_ = Footing{as_given(request_.scene),
                      model_,
                      {State<double>(1, 1), basis.time, basis.batches, 1},
                      basis.reference(0),
                      nullptr};
 }
 
-Ground PriceStudy::ground_at(const State<double>& start, double time) const {
-    Ground ground{as_given(request_.scene),
+Footing PriceStudy::ground_at(const State<double>& start, double time) const {
+    Footing ground{as_given(request_.scene),
                   model_,
                   {start, time, request_.batches, sampling(model_.grid, request_.batches)},
                   {},
@@ -148,11 +148,11 @@ Ground PriceStudy::ground_at(const State<double>& start, double time) const {
 }
 
 /// The scene's ground from where another ends.
-Ground PriceStudy::after(const Ground& ground) const {
+Footing PriceStudy::after(const Footing& ground) const {
     return ground_at(ground.reference.by_rk4.end, ground.stretch.time + ground.stretch.seconds());
 }
 
-Effect PriceStudy::effect(const Scene& scene, const Ground& ground) {
+Effect PriceStudy::effect(const Scene& scene, const Footing& ground) {
     const double before = wall_seconds();
     Effect found = effect_of(scene, ground, is_beyond_horizon(), [&] {
         tell();
@@ -163,7 +163,7 @@ Effect PriceStudy::effect(const Scene& scene, const Ground& ground) {
 }
 
 /// `share`: of the time that all costs may take.
-Costs PriceStudy::costs(const std::vector<Scene>& scenes, const Ground& ground, double share) const {
+Costs PriceStudy::costs(const std::vector<Scene>& scenes, const Footing& ground, double share) const {
     return costs_of(scenes, ground, share * for_costs * request_.budget, [&] { tell(); });
 }
 

@@ -82,7 +82,7 @@ public:
     Basis basis() const;
     double dt() const { return scene_.dt; }  // s, the scene's own step
     void restore(const Basis& basis, double dt);
-    const Ground& ground() const { return *ground_; }
+    const Footing& ground() const { return *ground_; }
     const Growth& growth() const { return growth_; }
     bool is_shortened() const { return is_shortened_; }
     double horizon() const;
@@ -110,10 +110,10 @@ private:
     void tell() const;
     void list_times();
     double goal() const;
-    Ground ground_at(const State<double>& start, double time) const;
-    Ground after(const Ground& ground) const;
-    Effect effect(const Scene& scene, const Ground& ground);
-    Costs costs(const std::vector<Scene>& scenes, const Ground& ground, double share) const;
+    Footing ground_at(const State<double>& start, double time) const;
+    Footing after(const Footing& ground) const;
+    Effect effect(const Scene& scene, const Footing& ground);
+    Costs costs(const std::vector<Scene>& scenes, const Footing& ground, double share) const;
     std::vector<Candidate> candidates(const Scene& scene, const Prices& prices, const std::vector<ScenePart>& useless);
     bool drop_one(Reduction& reduction, const Prices& prices, std::vector<ScenePart>& useless);
     void confirm(Reduction& reduction);
@@ -134,7 +134,7 @@ private:
     double began_ = 0.0;
     double deadline_ = INFINITY;  // s after that
     Cost scene_;                  // as given, run once
-    std::optional<Ground> ground_;
+    std::optional<Footing> ground_;
     Growth growth_;
     TipStatistics reference_tip_;
     bool is_shortened_ = false;

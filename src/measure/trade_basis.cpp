@@ -8,7 +8,7 @@ namespace drapeau {
 Basis TradeSweep::basis() const {
     const Stretch& stretch = grounds_.front().stretch;
     Basis basis{stretch.time, stretch.batches, is_shortened_, growth_, reference_tip_, {}};
-    for (const Ground& ground : grounds_) basis.add(ground.reference);
+    for (const Footing& ground : grounds_) basis.add(ground.reference);
     return basis;
 }
 

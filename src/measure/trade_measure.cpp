@@ -35,7 +35,7 @@ bool Measured::is_below_resolution() const {
     return is_measured() && !(error_in_time.distance() >= resolved * known_to);
 }
 
-Measured measure_errors(const TradePoint& point, const Ground& ground, const Ground& scene,
+Measured measure_errors(const TradePoint& point, const Footing& ground, const Footing& scene,
                         const std::function<bool()>& may_go_on) {
     Measured measured;
     measured.point = point;
@@ -96,7 +96,7 @@ Measured measure_errors(const TradePoint& point, const Ground& ground, const Gro
     return measured;
 }
 
-double measure_cost(const Measured& measured, const Ground& ground) {
+double measure_cost(const Measured& measured, const Footing& ground) {
     constexpr double long_enough = 3e-3;  // s
     return run_cost(measured.point.scene_on(ground.variant), ground.stretch,
                     times_for(long_enough, measured.first_cost));

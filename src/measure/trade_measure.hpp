@@ -13,7 +13,7 @@
 namespace drapeau {
 
 /// What the points of a variant are judged by. The reference may be left empty, but of the scene as given.
-struct Ground {
+struct Footing {
     Variant variant;
     Model model;
     Stretch stretch;
@@ -44,11 +44,11 @@ struct Measured {
 /// Runs the stretch as the programs do, one batch after the other, with the energy ledger. `scene` is the ground of the
 /// scene as given; a variant whose own reference is empty is judged by that alone. A run that diverges, or that the
 /// programs refuse, is a result; one is left out once `may_go_on()` is false after a batch.
-Measured measure_errors(const TradePoint& point, const Ground& ground, const Ground& scene,
+Measured measure_errors(const TradePoint& point, const Footing& ground, const Footing& scene,
                         const std::function<bool()>& may_go_on);
 
 /// Runs it again for what it costs, warm: ms of processor time a simulated second. As often as fits in some
 /// milliseconds, the stretch as a whole each time.
-double measure_cost(const Measured& measured, const Ground& ground);
+double measure_cost(const Measured& measured, const Footing& ground);
 
 }  // namespace drapeau

@@ -144,12 +144,12 @@ Stretch TradeSweep::stretch_of(const Model& model, const State<double>& start, d
     return {start, time, request_.batches, sampling(model.grid, request_.batches)};
 }
 
-Ground TradeSweep::ground_of(const Variant& variant, const State<double>& start, double time, double enough,
+Footing TradeSweep::ground_of(const Variant& variant, const State<double>& start, double time, double enough,
                              const Tick& tick) const {
     Model model = model_of(variant.scene);
     // Statistics need no finer steps than those that hold.
     const double goal = is_beyond_horizon() ? INFINITY : std::max(finest_goal(model), enough);
-    Ground ground{variant, model, stretch_of(model, start, time), {}, std::make_unique<Yardstick>(model)};
+    Footing ground{variant, model, stretch_of(model, start, time), {}, std::make_unique<Yardstick>(model)};
     ground.reference = find_reference(ground.model, ground.stretch, *ground.yardstick,
                                       {goal, reference_seconds_, [&] { tick(std::min(0.99, elapsed() / estimate_)); },
                                        request_.counts_work ? counted_unit : 0.0});
@@ -220,20 +220,20 @@ double TradeSweep::time_again(const Measured& measured) const {
 }
 
 /// The scene's ground from where it ends.
-Ground TradeSweep::after(const Ground& scene, const Tick& tick) const {
+Footing TradeSweep::after(const Footing& scene, const Tick& tick) const {
     constexpr double finer = 300.0;  // than the tolerance: it is all that is asked for
     return ground_of(scene.variant, scene.reference.by_rk4.end, scene.stretch.time + scene.stretch.seconds(),
                      *request_.tolerance / finer, tick);
 }
 
 /// The point on a ground of the scene.
-Measured TradeSweep::judged(const TradePoint& point, const Ground& scene) const {
+Measured TradeSweep::judged(const TradePoint& point, const Footing& scene) const {
     const auto always = [] { return true; };
     if (point.variant == 0) return measure_errors(point, scene, scene, always);
     const Variant& variant = variants_[point.variant];
     const Model& model = models_[point.variant];
     const Stretch& stretch = scene.stretch;
-    const Ground own{variant,
+    const Footing own{variant,
                      model,
                      {carried_over(stretch.start, variant.scene), stretch.time, stretch.batches, stretch.every},
                      {},
@@ -246,7 +246,7 @@ Recommendation TradeSweep::recommend(const std::vector<Measured>& points, const 
     const double tolerance = *request_.tolerance;
     const std::vector<std::size_t> candidates = all_within(points, tolerance);
     if (candidates.empty()) return found;
-    const Ground second = after(grounds_.front(), tick);
+    const Footing second = after(grounds_.front(), tick);
     for (const std::size_t n : candidates) {
         found.confirmed = judged(points[n].point, second);
         tick(0.99);

@@ -48,7 +48,7 @@ public:
     /// What that found; and the same taken from elsewhere, for a report.
     Basis basis() const;
     void restore(const Basis& basis);
-    const std::vector<Ground>& grounds() const { return grounds_; }
+    const std::vector<Footing>& grounds() const { return grounds_; }
     const Growth& growth() const { return growth_; }
     bool is_shortened() const { return is_shortened_; }  // the time compared, for the motion is chaotic
     /// The time (s) after which neighbouring motions are the tolerance apart, or a millimetre.
@@ -74,10 +74,10 @@ private:
     double seconds_of(const TradePoint& point) const;
     Stretch stretch_of(const Model& model, const State<double>& start, double time) const;
     /// `enough` (m): no better reference is wanted.
-    Ground ground_of(const Variant& variant, const State<double>& start, double time, double enough,
+    Footing ground_of(const Variant& variant, const State<double>& start, double time, double enough,
                      const Tick& tick) const;
-    Ground after(const Ground& scene, const Tick& tick) const;
-    Measured judged(const TradePoint& point, const Ground& scene) const;
+    Footing after(const Footing& scene, const Tick& tick) const;
+    Measured judged(const TradePoint& point, const Footing& scene) const;
     void find_horizon(const State<double>& start, double time, const Tick& tick);
     double least_seconds() const;
     void list_affordable();
@@ -93,7 +93,7 @@ private:
     double reference_seconds_ = 0.0;  // for each variant
     double estimate_ = 0.0;
     double began_ = 0.0;
-    std::vector<Ground> grounds_;
+    std::vector<Footing> grounds_;
     Growth growth_;
     TipStatistics reference_tip_;
     bool is_shortened_ = false;

@@ -29,12 +29,14 @@ State<double> carried_over(const State<double>& old, const Scene& scene) {
     const Model model = model_of(scene);
     const Grid& grid = model.grid;
     State<double> state(grid.columns, grid.rows);
+    // Every attachment holds the upper corner, which a halyard may have moved.
+    const glm::dvec3 hauled(0.0, scene.flag.halyard ? old.position.at(0, 0).y : 0.0, 0.0);
     for (int j = 0; j < grid.rows; ++j)
         for (int i = 0; i < grid.columns; ++i) {
             const bool held = model.held(i, j);
             const double along = share(i, grid.columns), down = share(j, grid.rows);
             state.position.set(
-                i, j, held ? (1.0 + scene.flag.prestretch) * grid.rest(i, j) : sample(old.position, along, down));
+                i, j, held ? (1.0 + scene.flag.prestretch) * grid.rest(i, j) + hauled : sample(old.position, along, down));
             if (!held) state.velocity.set(i, j, sample(old.velocity, along, down));
         }
     return state;

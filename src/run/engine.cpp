@@ -40,6 +40,8 @@ public:
     }
     void refill(const Model& model) override { stepper_.refill(model); }
     void synchronise(double now) override { stepper_.synchronise(now); }
+    void haul(double now, double speed) override { stepper_.haul(now, {0.0, speed, 0.0}); }
+    double hauled() const override { return model().held(0, 0) ? stepper_.velocity().at(0, 0).y : 0.0; }
 
     const Model& model() const override { return stepper_.model(); }
     double step_cost() const override { return step_cost_; }

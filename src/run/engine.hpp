@@ -27,6 +27,9 @@ public:
     virtual void refill(const Model& model) = 0;
     /// Lets the method start anew at time `now` (s), after a change.
     virtual void synchronise(double now) = 0;
+    /// From time `now` (s) on moves what is held upwards, at `speed` (m/s).
+    virtual void haul(double now, double speed) = 0;
+    virtual double hauled() const = 0;  // m/s, that speed
 
     virtual const Model& model() const = 0;
     virtual double step_cost() const = 0;

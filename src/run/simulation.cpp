@@ -17,6 +17,11 @@ bool goes_on(const FlagSettings& from, const FlagSettings& to) {
     return from.attach == to.attach && from.start == to.start && from.prestretch == to.prestretch;
 }
 
+bool touch_alike(const Limits& a, const Limits& b) {
+    const auto touches = [](const Limits& limits) { return limits.get<Ground>() || limits.get<Pole>(); };
+    return touches(a) == touches(b);
+}
+
 bool bends_alike(const std::optional<Bending>& a, const std::optional<Bending>& b) {
     return a.has_value() == b.has_value() && (!a || a->damping.has_value() == b->damping.has_value());
 }
@@ -28,7 +33,7 @@ bool same_structure(const Scene& a, const Scene& b) {
            a.time.precision == b.time.precision && a.time.half_kick_start == b.time.half_kick_start &&
            a.fabric.has_value() == b.fabric.has_value() && a.diagonals().has_value() == b.diagonals().has_value() &&
            a.damping().has_value() == b.damping().has_value() &&
-           a.terms.get<Air>().has_value() == b.terms.get<Air>().has_value() &&
+           touch_alike(a.limits, b.limits) && a.terms.get<Air>().has_value() == b.terms.get<Air>().has_value() &&
            bends_alike(a.terms.get<Bending>(), b.terms.get<Bending>());
 }
 

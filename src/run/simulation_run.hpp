@@ -7,6 +7,7 @@
 #include "run/step_choice.hpp"
 #include "run/tolerance_step.hpp"
 #include "run/watch.hpp"
+#include "scene/surroundings.hpp"
 
 #include "drapeau/precision.hpp"
 
@@ -117,6 +118,7 @@ struct Simulation::Run {
         for (long long left = count; left > 0;) {
             if (in_batch_ == 0) {
                 const double dt = now.clock.dt;
+                haul();
                 if (!heed_errors(abandon)) return {};
                 if (now.clock.dt != dt) left = std::max(1LL, steps_left());
                 watch.begin_batch(*engine, now);
@@ -284,6 +286,24 @@ private:
     void forget_errors() {
         errors.restart();
         error.reset();
+    }
+
+    /// At the beginning of a batch: moves what is held towards its place on the pole, no faster than a hand hauls.
+    void haul() {
+        constexpr double fastest = 0.5;  // m/s
+        double speed = 0.0;
+        if (scene.flag.halyard && !engine->model().is_free()) {
+            const double far = hoisted_height(scene) - engine->corner().y;
+            const double seconds = static_cast<double>(now.next_batch() - now.steps) * now.clock.dt;
+            const bool there = std::abs(far) <= 4.0 * engine->epsilon() * engine->reach();
+            if (!there) speed = std::clamp(far / seconds, -fastest, fastest);
+        }
+        const double change = std::abs(speed - engine->hauled());
+        if (change > 1e-5 * fastest || (speed == 0.0 && change > 0.0)) {
+            engine->haul(now.time(), speed);
+            restart_clock(now.time(), now.steps);
+        }
+        if (speed != 0.0) forget_errors();  // what is run again holds still what is held
     }
 
     /// At the beginning of a batch: what is known of the error by now, and the step that follows from it. False if

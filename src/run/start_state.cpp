@@ -2,6 +2,7 @@
 
 #include "io/text.hpp"
 #include "run/settle.hpp"
+#include "scene/surroundings.hpp"
 
 #include "drapeau/precision.hpp"
 #include "drapeau/start.hpp"
@@ -44,6 +45,10 @@ StartState start_state(const Scene& scene, const std::atomic<bool>* abandon) {
     const double prestretch = scene.flag.prestretch;
     auto state = scene.flag.start == Start::crumpled ? crumpled_start(model, prestretch, crumple_seed)
                                                      : flat_start(grid, prestretch);
+    const double height = hoisted_height(scene);
+    for (int j = 0; j < grid.rows; ++j)
+        for (int i = 0; i < grid.columns; ++i)
+            state.position.set(i, j, state.position.at(i, j) + glm::dvec3(0.0, height, 0.0));
     std::string remark;
     if (scene.flag.start == Start::flat) {
         constexpr double unseen = 1e-9;  // m

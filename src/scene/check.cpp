@@ -81,10 +81,10 @@ std::string SceneFault::text() const {
 }
 
 double memory_of(double masses, Precision precision) {
-    // What a method keeps at most and what terms push with, the states that a diverged run may return to and is
+    // What a method keeps at most, what terms push with and what contacts remember, the states that a diverged run may return to and is
     // explained from, the pictures' snapshots and a state handed out; and to measure the error (error_estimate.hpp) as
     // much as a method keeps, in double, a state to begin from, three ends and a state handed out.
-    constexpr double numbers_kept = 3.0 * (max_fields + 1) + 4 * 6;
+    constexpr double numbers_kept = 3.0 * (max_fields + 2) + 4 * 6;
     constexpr double snapshots = 3 * 3 * sizeof(float);
     constexpr double handed_out = 6 * sizeof(double);
     const double number = precision == Precision::double_precision ? sizeof(double) : sizeof(float);

@@ -174,10 +174,6 @@ void refuse_unknown_tables(const toml::table& root, const std::string& origin) {
     each_table(any, [&](std::string_view table, const auto&, const auto&) {
         if (!table.empty()) known.push_back(table);
     });
-    for (const auto& [key, value] : root) {
-        if (!is_one_of(later_tables, key.str())) continue;
-        fail(origin, value, "[" + std::string(key.str()) + "]: not available in this version");
-    }
     refuse_unknown_keys(root, "", known, origin);
 }
 

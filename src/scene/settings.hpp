@@ -6,7 +6,6 @@
 
 #include "scene/setting.hpp"
 
-#include <array>
 #include <optional>
 #include <string_view>
 #include <tuple>
@@ -14,9 +13,6 @@
 #include <vector>
 
 namespace drapeau::settings {
-
-/// What the format reserves but this version does not have yet.
-inline constexpr std::array<std::string_view, 2> later_tables{"ground", "pole"};
 
 inline constexpr std::tuple scene_keys{
     Key{"name", &Scene::name, About{"Name", "", "shown in the window's title"}},
@@ -54,6 +50,11 @@ inline constexpr std::tuple flag_keys{
               "nanometre "
               "where nothing does."},
         Range{0, 1}, Control{{0, 50}, false, "%.3g", 1000, "mm", 0.002}, "auto"},
+    Key{"halyard", &FlagSettings::halyard,
+        About{"Halyard", "", "share of the pole at which the flag's upper corner hangs; 1: at its top, 0.5: half-mast",
+              "A flag that flies is hauled up or down at 0.5 m/s, at most until its foot reaches the ground. Off: it "
+              "stays where it is held."},
+        Range{0, 1}, Control{{0, 100}, false, "%.0f", 100, "%", 1.0}, "off"},
     Key{"texture", &FlagSettings::texture, About{"Image", "", "image file, beside this file or in assets/flags"}},
 };
 
@@ -203,6 +204,35 @@ inline constexpr std::tuple keys_of<StretchLimit>{
               "After every step, springs that are longer are shortened. A higher limit lets the cloth stretch more; a "
               "limit well below the stretch without one takes many times as long."},
         Range{0, 10}, Control{{2, 50}, false, "%.1f", 100, "%"}, "", true},
+};
+
+template <>
+inline constexpr std::string_view remark_on<Ground> =
+    "Masses do not go below it; they lie on it without a bounce. Without this table ground is drawn, but nothing "
+    "touches it.";
+template <>
+inline constexpr std::tuple keys_of<Ground>{
+    Key{"height", &Ground::height,
+        About{"Ground", "m", "its height; the flag's upper corner at full mast is at 0, and the pole stands on it",
+              "A deeper one gives a longer pole."},
+        Range{-1e3, 1e3}, Control{{-10, 0}, false, "%.2f"}},
+    Key{"friction", &Ground::friction,
+        About{"Ground friction", "", "coefficient, of the cloth on it (mu)", "A higher one lets the cloth slide less."},
+        Range{0, 100}, Control{{0, 2}, false, "%.2f"}},
+};
+
+template <>
+inline constexpr std::string_view remark_on<Pole> =
+    "An upright pole of any height along the hoist, that the flag wraps around. Masses are kept half a cell further out "
+    "where cells are wide, so that threads between them do not cut into it. Without this table a pole is drawn, but "
+    "nothing touches it.";
+template <>
+inline constexpr std::tuple keys_of<Pole>{
+    Key{"radius", &Pole::radius, About{"Pole radius", "m", "of the pole", "A thicker one is wrapped in fewer turns."},
+        Range{1e-4, 10}, Control{{5, 100}, false, "%.0f", 1000, "mm"}},
+    Key{"friction", &Pole::friction,
+        About{"Pole friction", "", "coefficient, of the cloth on it (mu)", "A higher one holds what wraps around it."},
+        Range{0, 100}, Control{{0, 2}, false, "%.2f"}},
 };
 
 inline constexpr Range dt_range{1e-9, 1e3};  // s

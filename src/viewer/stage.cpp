@@ -1,5 +1,7 @@
 #include "stage.hpp"
 
+#include "scene/surroundings.hpp"
+
 #include <algorithm>
 
 namespace drapeau {
@@ -9,16 +11,12 @@ namespace {
 const glm::vec3 metal(0.55f, 0.57f, 0.60f);
 const glm::vec3 gold(0.83f, 0.56f, 0.16f);
 
-struct Extent {
+struct Shape {
     float width, height, size;
 };
-
-Extent extent_of(const FlagSettings& flag) {
-    // What is held stays as it starts, stretched or not.
-    const float stretch = 1.0f + float(flag.prestretch);
-    const float width = flag.columns > 1 ? stretch * float(flag.width) : 0.0f;
-    const float height = flag.rows > 1 ? stretch * float(flag.height) : 0.0f;
-    return {width, height, std::max({width, height, 0.05f})};
+Shape shape_of(const FlagSettings& flag) {
+    const Extent e = extent_of(flag);
+    return {float(e.width), float(e.height), float(e.size)};
 }
 
 void add_rod(Stage& stage, glm::vec3 from, glm::vec3 to, float radius) {
@@ -38,14 +36,14 @@ void add_post(Stage& stage, float x, float z, float top, float radius) {
 }
 
 // A bar over the flag's width between two posts.
-void add_gallows(Stage& stage, const Extent& e, float radius) {
+void add_gallows(Stage& stage, const Shape& e, float radius) {
     const float left = -0.10f * e.size, right = e.width + 0.10f * e.size;
     add_post(stage, left, 0.0f, 0.10f * e.size, radius);
     add_post(stage, right, 0.0f, 0.10f * e.size, radius);
     add_rod(stage, {left, radius, 0.0f}, {right, radius, 0.0f}, radius);
 }
 
-void add_frame(Stage& stage, const Extent& e, float radius) {
+void add_frame(Stage& stage, const Shape& e, float radius) {
     add_gallows(stage, e, radius);
     const float left = -radius, right = e.width + radius, low = -e.height - radius, high = radius;
     add_rod(stage, {left, low, 0.0f}, {right, low, 0.0f}, 0.7f * radius);
@@ -59,30 +57,36 @@ void add_frame(Stage& stage, const Extent& e, float radius) {
 
 }  // namespace
 
-Stage stage_of(const FlagSettings& flag) {
-    const Extent e = extent_of(flag);
-    const float radius = std::clamp(0.014f * e.size, 0.002f, 0.05f);
+Stage stage_of(const Scene& scene) {
+    const FlagSettings& flag = scene.flag;
+    const Shape e = shape_of(flag);
+    const auto radius = float(pole_radius(scene));
+    const bool has_ground = scene.limits.get<Ground>().has_value(), has_pole = scene.limits.get<Pole>().has_value();
     Stage stage;
-    stage.ground = flag.attach != Attach::none;
-    stage.ground_height = -e.height - 0.52f * e.size;
+    stage.ground = flag.attach != Attach::none || has_ground || has_pole;
+    stage.ground_height = float(ground_height(scene));
+    const auto add_pole = [&] { add_post(stage, -radius, 0.0f, 0.07f * e.size, radius); };
     switch (flag.attach) {
         case Attach::hoist:
         case Attach::grommets:
         case Attach::corner:
-            add_post(stage, -radius, 0.0f, 0.07f * e.size, radius);
+            add_pole();
             break;
         case Attach::top:
             add_gallows(stage, e, radius);
+            if (has_pole) add_pole();
             break;
         case Attach::sides:
-            add_post(stage, -radius, 0.0f, 0.07f * e.size, radius);
+            add_pole();
             add_post(stage, e.width + radius, 0.0f, 0.07f * e.size, radius);
             break;
         case Attach::edges:
         case Attach::all:
             add_frame(stage, e, radius);
+            if (has_pole) add_pole();
             break;
         case Attach::none:
+            if (has_pole) add_pole();
             break;
     }
     const float reach = 0.25f * e.size;
@@ -92,9 +96,9 @@ Stage stage_of(const FlagSettings& flag) {
 }
 
 Framing framing_of(const FlagSettings& flag, const Stage& stage) {
-    const Extent e = extent_of(flag);
+    const Shape e = shape_of(flag);
     const float top = 0.22f * e.size;
-    const float bottom = -e.height - 0.60f * e.size;
+    const float bottom = std::min(-e.height - 0.60f * e.size, stage.ground_height - 0.08f * e.size);
     return {.centre = {0.5f * e.width, 0.5f * (top + bottom), 0.0f},
             .width = e.width + 0.55f * e.size,
             .height = top - bottom,

@@ -8,7 +8,7 @@
 
 namespace drapeau {
 
-Stage stage_of(const FlagSettings& flag);
+Stage stage_of(const Scene& scene);
 
 Framing framing_of(const FlagSettings& flag, const Stage& stage);
 

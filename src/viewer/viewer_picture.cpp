@@ -81,14 +81,14 @@ Picture Viewer::picture() const {
             .force_scale = float(app_.status.force_scale),
             .hidden = pixels_under(app_.panel_area, pixel_scale, target_.height()),
             .pixel_scale = pixel_scale,
-            .stage = stage_of(moment_.scene.flag)};
+            .stage = stage_of(moment_.scene)};
 }
 
 void Viewer::draw() {
     const FlagSettings& flag = moment_.scene.flag;
-    framing_ = framing_of(flag, stage_of(flag));
-    // What nothing holds falls; the camera goes with it.
-    if (flag.attach == Attach::none) framing_.centre = middle_of(moment_.snapshot.position);
+    framing_ = framing_of(flag, stage_of(moment_.scene));
+    // What nothing holds falls; the camera goes with it, unless there is ground to see it fall upon.
+    if (flag.attach == Attach::none && !moment_.scene.limits.get<Ground>()) framing_.centre = middle_of(moment_.snapshot.position);
     if (!picture_wanted()) return;
 
     const glm::vec2 pixels(float(target_.width()), float(target_.height()));

@@ -63,6 +63,8 @@ TEST_CASE("every setting of a scene has its control") {
     scene.gravity().emplace();
     scene.terms.get<drapeau::Air>().emplace();
     scene.terms.get<drapeau::Bending>().emplace();
+    scene.limits.get<drapeau::Ground>().emplace();
+    scene.limits.get<drapeau::Pole>().emplace();
     Screen screen;
     TemporaryFolder folder;
     App app(screen, {written(folder, "all.toml", drapeau::write_scene(scene)), "--size", "900x640"});

@@ -59,10 +59,10 @@ struct Leapfrog : OneKick {
         return v + (Real(0.5) * dt) * total(a, rate, v, dt);
     }
     template <bool damped, class Real>
-    static void follow(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& dx, Real dt) {
-        OneKick::follow<damped>(fields, n, dx, dt);
+    static void follow(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& dx, const Vec3<Real>& dv) {
+        OneKick::follow<damped>(fields, n, dx, dv);
         const Masses<Real> mass{fields, n};
-        if constexpr (damped) mass.set(2, mass.get(2) + (Real(1) / dt) * dx);
+        if constexpr (damped) mass.set(2, mass.get(2) + dv);
     }
 
     /// Beyond b = 2 drag and friction throw a velocity past the one that they carry it to, to and fro; half of that is

@@ -72,9 +72,9 @@ struct Rk4 {
         return fields[1].template at<Real>(n);
     }
     template <bool damped, class Real>
-    static void follow(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& dx, Real dt) {
-        OneKick::follow<damped>(fields, n, dx, dt);
-        start<damped>(fields, n, dx, Real(0), dt);
+    static void follow(const Field<Real>* fields, std::ptrdiff_t n, const Vec3<Real>& dx, const Vec3<Real>& dv) {
+        OneKick::follow<damped>(fields, n, dx, dv);
+        start<damped>(fields, n, dx, Real(0), Real(0));
     }
 
     /// A root that is not real has |z|^2 = lambda of its mode; a real one is at most beta.
