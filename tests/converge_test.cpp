@@ -2,6 +2,7 @@
 // or steps do not converge it names the cause; bad input is refused before work.
 #include "lab_bench.hpp"
 #include "sanitized.hpp"
+#include "scene/file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -240,7 +241,9 @@ TEST_CASE(
     "where the grids' ratios show different orders that is said, and one good ratio is not taken for convergence") {
     const Bench bench;
     // So coarse a drum in so short a time: the first difference is the smallest.
-    const std::string drum = "drum --set flag.rows=5 --methods leapfrog --seconds 0.1 --levels 4 --set flag.columns=";
+    const fs::path scene = assets_directory() / "scenes" / "linear-drag" / "drum.toml";
+    const std::string drum =
+        "'" + scene.string() + "' --set flag.rows=5 --methods leapfrog --seconds 0.1 --levels 4 --set flag.columns=";
     const Json found = converge(bench, drum + "7");
     const double first = found["grids"][2]["order"], last = found["grids"][3]["order"];
     REQUIRE(std::abs(first - last) > 0.5);

@@ -121,8 +121,8 @@ TEST_CASE("Wherever a number is given it is right, also on flags in wind", "[phy
     // The estimate promises a tenth from two terms of the error; what further terms add may bring it to a fifth, and in
     // single windows of a motion as restless as this to more.
     int given = 0, right = 0, windows = 0;
-    for (const std::string name : {"report", "breeze", "storm"}) {
-        Scene scene = read_scene(find_scene(name));
+    for (const std::string name : {"report", "linear-drag/breeze", "linear-drag/storm"}) {
+        Scene scene = read_scene(assets_directory() / "scenes" / (name + ".toml"));
         scene.flag.columns = 14, scene.flag.rows = 10;
         Simulation simulation(scene);
         for (const double time : {0.0, 0.5, 1.0, 1.5, 2.0, 2.5}) {
@@ -152,7 +152,7 @@ TEST_CASE("Wherever a number is given it is right, also on flags in wind", "[phy
 }
 
 TEST_CASE("Over seconds of a flag in wind the error is chaos, and no number", "[physics][accuracy]") {
-    Scene scene = read_scene(find_scene("storm"));
+    Scene scene = read_scene(assets_directory() / "scenes" / "linear-drag" / "storm.toml");
     scene.flag.columns = 14, scene.flag.rows = 10;
     Simulation simulation(scene);
     ErrorWindow window = at(simulation, 2.0);

@@ -182,9 +182,9 @@ TEST_CASE("results are a table for a person, a JSON object and a CSV row for pro
     std::getline(csv, header);
     std::getline(csv, row);
     CHECK(header.starts_with("scene,columns,rows,modelled,method,precision,threads,time_s,steps,dt_s,"));
-    CHECK(
-        row.starts_with("Storm,50,30,springs + diagonal springs + spring damping + gravity + air drag + wind,"
-                        "semi-implicit-euler,float,1,0.1,1000,0.0001,"));
+    CHECK(row.starts_with(
+        "Storm,50,30,springs + diagonal springs + spring damping + gravity + bending + air on faces + wind,"
+        "semi-implicit-euler,float,1,0.1,1000,0.0001,"));
     CHECK(std::count(header.begin(), header.end(), ',') == std::count(row.begin(), row.end(), ','));
     CHECK_FALSE(std::getline(csv, more));
 }

@@ -134,11 +134,14 @@ TEST_CASE("Where implicit Euler leaves most of its steps unsolved, that is said 
     CHECK_FALSE(after_half_a_second());
 }
 
-TEST_CASE("Implicit Euler takes a thirtieth of a second on every shipped scene", "[physics]") {
-    std::vector<const char*> names{"report", "spring"};
-    if (!sanitized) names.insert(names.end(), {"breeze", "calm", "storm", "banner", "drop", "drum"});
-    for (const char* name : names) {
-        Scene scene = read_scene(find_scene(name));
+TEST_CASE("Implicit Euler takes a thirtieth of a second on every scene of springs and drag", "[physics]") {
+    // Air on faces and bending are taken at a step's beginning and have limits of their own.
+    std::vector<std::string> names{"report", "spring"};
+    if (!sanitized)
+        for (const char* name : {"breeze", "calm", "storm", "banner", "drop", "drum"})
+            names.push_back(std::string("linear-drag/") + name);
+    for (const std::string& name : names) {
+        Scene scene = read_scene(assets_directory() / "scenes" / (name + ".toml"));
         scene.flag.start = Start::flat;  // settling takes its time and is tested elsewhere
         scene.time.method = method_id<ImplicitEuler>;
         scene.time.dt = 1.0 / 30.0;

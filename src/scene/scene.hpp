@@ -26,10 +26,10 @@ struct FlagSettings {
     // m, ripples that a flat flag begins with: with none (0) it stays in the plane of wind and gravity for ever.
     // Absent: a nanometre where nothing pushes out of that plane, which grows if the plane is not stable.
     std::optional<double> disturbance;
+    std::string texture;  // file name; the physics ignores it
     // Share of the pole at which the flag's upper corner hangs: 1 at its top, 0.5 half-mast. What is held is hauled there
     // where it changes. Absent: at the top, and nothing hauls.
-    std::optional<double> halyard;
-    std::string texture;  // file name; the physics ignores it
+    std::optional<double> halyard{};
 
     bool operator==(const FlagSettings&) const = default;
 };
@@ -98,7 +98,7 @@ struct Scene {
 
 /// The model that a scene describes.
 inline Model model_of(const Scene& scene) {
-    const auto& [columns, rows, width, height, attach, start, prestretch, disturbance, halyard, texture] = scene.flag;
+    const auto& [columns, rows, width, height, attach, start, prestretch, disturbance, texture, halyard] = scene.flag;
     const Grid grid = spread(columns, rows, width, height);
     if (scene.fabric) return model_of(*scene.fabric, grid, attach, scene.terms, scene.limits);
     const SpringSettings& s = *scene.springs;

@@ -393,7 +393,7 @@ TEST_CASE("the error of the run is shown, and a tolerance makes the step smaller
 TEST_CASE("springs become a fabric, which keeps its cells short on any grid and brings the values of its name") {
     const Screen screen;
     const TemporaryFolder folder;
-    App app(screen, {"breeze", "--size", "1280x800"});
+    App app(screen, {std::string(DRAPEAU_ASSETS) + "/scenes/linear-drag/breeze.toml", "--size", "1280x800"});
     const auto value = [&app](const std::string& label) { return app.look().controls.at(label).value; };
     app.click("Page: Springs");
     CHECK(value("Material") == "springs");
