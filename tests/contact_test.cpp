@@ -86,6 +86,18 @@ TEMPLATE_LIST_TEST_CASE("What falls on the ground stays there, without a bounce"
     CHECK(std::abs(highest) <= epsilon<Real>);
 }
 
+TEMPLATE_LIST_TEST_CASE("What is below ground comes out of it slowly, and not with that speed", "[physics]", AllCases) {
+    using Real = typename TestType::Real;
+    constexpr double dt = 1e-3, depth = 0.05;
+    const Model model = slope(0.0, 0.5);
+    Sheet<Real, typename TestType::Method> sheet(model, {{0, -depth, 0}, {0.1, -depth, 0}}, Points(2, glm::dvec3(0.0)));
+    sheet.advance(dt, 50);  // forward Euler takes a step to begin
+    CHECK(std::abs(sheet.positions()[0].y + depth - 50 * dt * 0.5) <= 1.001 * dt * 0.5 + 50 * epsilon<Real>);
+    sheet.advance(dt, 52);
+    CHECK(std::abs(sheet.positions()[0].y) <= epsilon<Real>);
+    CHECK(sheet.velocities()[0].y <= g * dt);
+}
+
 TEMPLATE_LIST_TEST_CASE("A crumpled sheet falls, lies down and lies still", "[physics]", FloatCases) {
     using Method = typename TestType::Method;
     if (Method::solves && Method::order == 1 && Method::passes > 2) return;  // minutes

@@ -150,10 +150,10 @@ public:
         body_.kernels.stiffness(p);
     }
 
-    /// The contacts, after a step.
-    void touch() {
+    /// The contacts, after a step of dt (s).
+    void touch(double dt) {
         body_.model.limits.for_each([&]<class Limit>(const Limit& limit) {
-            if constexpr (Contact<Limit>) touch(limit);
+            if constexpr (Contact<Limit>) touch(limit, dt);
         });
     }
 
@@ -194,7 +194,7 @@ private:
     }
 
     template <class C>
-    void touch(const C& contact) {
+    void touch(const C& contact, double dt) {
         using V = Vector<Real, 16>;
         const Grid& grid = body_.model.grid;
         Field<Real> fields[max_fields]{};
@@ -207,12 +207,12 @@ private:
                                                          contact.depth(grid, fields[0].template at<V>(n)));
                 if (!(max_of(depth) > 0.0)) continue;  // of nearly all registers
                 for (int m = 0; m < Lanes<V>::width; ++m)
-                    if (lane(depth, m) > 0.0) touch(contact, fields, n + m);
+                    if (lane(depth, m) > 0.0) touch(contact, dt, fields, n + m);
             }
         }
     }
     template <class C>
-    void touch(const C& contact, const Field<Real>* fields, std::ptrdiff_t n) {
+    void touch(const C& contact, double dt, const Field<Real>* fields, std::ptrdiff_t n) {
         const auto at = [n](const Field<const Real>& field) {
             return Vec3<double>{static_cast<double>(field.x[n]), static_cast<double>(field.y[n]),
                                 static_cast<double>(field.z[n])};
@@ -222,8 +222,10 @@ private:
         };
         const auto x = at(fields[0]), v = at(fields[1]);
         auto x_next = x, v_next = v;
-        resist(contact.surface(body_.model.grid, x), contact.friction, at(std::as_const(body_.before).view()),
-               x_next, v_next);
+        const auto before = at(std::as_const(body_.before).view());
+        Surface surface = contact.surface(body_.model.grid, x);
+        surface.leave(contact.surface(body_.model.grid, before).depth, dt);
+        resist(surface, contact.friction, before, x_next, v_next);
         body_.kernels.follow(fields, n, rounded(x_next - x), rounded(v_next - v));
     }
 

@@ -102,7 +102,7 @@ public:
                         if (n == 0) limit(clock.dt, report.limit);
                         meet();
                     }
-                    if (model().touches()) blocks_[n]->touch();
+                    if (model().touches()) blocks_[n]->touch(clock.dt);
                     if (!counts) return;
                     meet();
                     if (n == 0) report.work.passes += measure_alone(now).balance();

@@ -294,9 +294,9 @@ private:
         double speed = 0.0;
         if (scene.flag.halyard && !engine->model().is_free()) {
             const double far = hoisted_height(scene) - engine->corner().y;
-            const double seconds = static_cast<double>(now.next_batch() - now.steps) * now.clock.dt;
-            const bool there = std::abs(far) <= 4.0 * engine->epsilon() * engine->reach();
-            if (!there) speed = std::clamp(far / seconds, -fastest, fastest);
+            const auto steps = static_cast<double>(now.next_batch() - now.steps);
+            const bool there = std::abs(far) <= steps * engine->epsilon() * engine->reach();  // as steps round
+            if (!there) speed = std::clamp(far / (steps * now.clock.dt), -fastest, fastest);
         }
         const double change = std::abs(speed - engine->hauled());
         if (change > 1e-5 * fastest || (speed == 0.0 && change > 0.0)) {
