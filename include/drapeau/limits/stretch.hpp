@@ -139,13 +139,14 @@ private:
         int apart, columns, rows;
         Field<Real> x;
         InverseMass inverse_mass;  // 1/kg, of (i, j)
+        double diagonal = grid.pitch_diagonal();
 
         double longest(const Line& along, int k, double stretch) const {
             const int i = along.i + k * along.di, j = along.j + k * along.dj;
             const int across = along.di == 0 ? 0 : cells(std::min(i, i + along.di), grid.columns);
             const int down = along.dj == 0 ? 0 : cells(j, grid.rows), both = std::min(across, down);
             return (1.0 + stretch) *
-                   (both * grid.pitch_diagonal() + (across - both) * grid.pitch_x + (down - both) * grid.pitch_y);
+                   (both * diagonal + (across - both) * grid.pitch_x + (down - both) * grid.pitch_y);
         }
         int cells(int n, int masses) const { return std::min(apart, masses - 1 - n * apart); }
 

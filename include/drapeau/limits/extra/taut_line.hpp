@@ -41,22 +41,23 @@ public:
         const double give = 1.0 + 1e-4 / (static_cast<double>(springs) * springs);
         double sum = 0.0;
         Vec3<double> here = at(0);
-        link(-1) = {};
-        for (int k = 0; k <= springs; ++k) {
-            Link& s = link(k);
-            s = {};
-            s.w = inverse_mass(k);
-            if (k == springs) break;
-            const Vec3<double> next = at(k + 1), d = next - here;
-            here = next;
-            const double l = std::sqrt(dot(d, d)), most = longest(k), w = s.w + inverse_mass(k + 1);
-            if (l > 0.0) s.e = (1.0 / l) * d;
-            s.excess = l - most;
+        link(0).w = inverse_mass(0);
+        link(springs) = {};
+        for (int k = 0; k < springs; ++k) {
+            Link &s = link(k), &next = link(k + 1);
+            const Vec3<double> there = at(k + 1), d = there - here;
+            here = there;
+            next.w = inverse_mass(k + 1);
+            const double l = std::sqrt(dot(d, d)), w = s.w + next.w;
+            s.longest = longest(k);
+            s.e = (l > 0.0 ? 1.0 / l : 0.0) * d;
+            s.excess = l - s.longest;
             s.own = give * w;
-            s.coupling = s.w * std::fmax(0.0, dot(link(k - 1).e, s.e));
+            s.taut = false;
+            s.coupling = s.w * std::max(0.0, dot(link(k - 1).e, s.e));
             if (s.excess <= 0.0 || w == 0.0) continue;
             sum += s.excess;
-            s.excess += std::fmin(beyond * s.excess, 0.1 * most);
+            s.excess += std::min(beyond * s.excess, 0.1 * s.longest);
         }
         if (sum == 0.0) return 0.0;
         for (int turn = 0; turn < most_turns && tighten(turn % 2 == 0); ++turn) continue;
@@ -69,8 +70,8 @@ public:
             if (!before.taut) continue;
             const Vec3<double> d = s.dx - before.dx;
             const double along = dot(d, before.e);
-            gained += std::fmax(0.0, before.excess);
-            lost += std::fmax(0.0, dot(d, d) - along * along) / (2.0 * longest(k - 1));
+            gained += std::max(0.0, before.excess);
+            lost += std::max(0.0, dot(d, d) - along * along) / (2.0 * before.longest);
         }
         const double share = 2.0 * lost > gained ? gained / (2.0 * lost) : 1.0;
         for (int k = 0; k <= springs; ++k)
@@ -84,7 +85,7 @@ private:
 
     struct Link {
         Vec3<double> e{}, dx{};  // direction; m, of the mass that it starts from
-        double w = 0.0, excess = 0.0, own = 0.0, coupling = 0.0, pivot = 0.0, right = 0.0, pull = 0.0;
+        double w = 0.0, longest = 0.0, excess = 0.0, own = 0.0, coupling = 0.0, pivot = 0.0, right = 0.0, pull = 0.0;
         bool taut = false;
     };
     Link& link(int k) { return all_[static_cast<std::size_t>(k + 1)]; }
