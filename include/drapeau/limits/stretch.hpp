@@ -13,12 +13,11 @@
 // may be left: an excess gathered over many steps and taken back in one would be thrown back.
 #pragma once
 
-#include "drapeau/limits/extra/taut_line.hpp"
+#include "drapeau/limits/extra/coarse_masses.hpp"
 #include "drapeau/state.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace drapeau {
 inline namespace DRAPEAU_ISA {
@@ -49,6 +48,9 @@ struct StretchLimit {
     /// By how much more than it is too long a spring is shortened, from the second sweep on: springs of lines that
     /// cross give some of it back.
     static constexpr double over_relaxation = 0.7;
+    /// So many sweeps are made before every other one begins coarse to fine: from one step to the next springs become
+    /// too long by little, which fewer sweeps take back.
+    static constexpr int sweeps_alone = 4;
     /// A few sweeps are enough, some tens where a large cloth is far too long in all directions. Beyond this many the
     /// report says that the limit was not met.
     static constexpr int max_sweeps = 1000;
@@ -56,21 +58,18 @@ struct StretchLimit {
     /// more.
     static constexpr int sweeps_to_judge = 16;
 
-    /// What a pass works in: made once for a grid.
+    /// What a pass works in, made once for a grid.
     template <class Real>
     struct Room {
         Room() = default;
         explicit Room(const Grid& grid)
-            : line(std::max(grid.columns, grid.rows)),
+            : taut(std::max(grid.columns, grid.rows)),
               squares(static_cast<std::size_t>(grid.columns + grid.rows)),
-              nodes(nodes_of(grid.columns, 2), nodes_of(grid.rows, 2), 0),
-              before(nodes.columns(), nodes.rows(), 1),
-              inverse_mass(nodes.component(0).size()) {}
+              coarse(grid) {}
 
-        TautLine line;
-        Array<Real> squares;               // m2, of the longest spring of each line
-        FieldBuffer<Real> nodes, before;   // m, places of coarse masses, and where they were
-        std::vector<double> inverse_mass;  // 1/kg, of coarse masses
+        TautLine taut;
+        Array<Real> squares;  // m2, of the longest spring of each line
+        CoarseMasses<Real> coarse;
     };
 
     /// Moves positions `x`. `constants`: of each row.
@@ -89,8 +88,10 @@ struct StretchLimit {
                 if (before - excess < 1e-3 * excess) return report;
                 before = excess;
             }
-            if (report.sweeps >= 4 && report.sweeps % 2 == 0) coarse_to_fine(grid, diagonals, constants, x, room);
-            excess = sweep(grid, diagonals, constants, x, room, report.sweeps > 0 ? over_relaxation : 0.0);
+            const double beyond = report.sweeps > 0 ? over_relaxation : 0.0;
+            if (report.sweeps >= sweeps_alone && report.sweeps % 2 == 0)
+                room.coarse.shorten(grid, diagonals, constants, x, 1.0 + stretch, beyond, room.taut);
+            excess = sweep(grid, diagonals, constants, x, room, beyond);
             ++report.sweeps;
         }
     }
@@ -98,193 +99,48 @@ struct StretchLimit {
     bool operator==(const StretchLimit&) const = default;
 
 private:
-    enum Direction { fly, hoist, falling, rising };
-
-    /// Springs in a line, from mass (i, j) on.
-    struct Line {
-        int i, j, di, dj, springs;
-    };
-    static int lines(Direction direction, int columns, int rows) {
-        switch (direction) {
-            case fly:
-                return columns > 1 ? rows : 0;
-            case hoist:
-                return rows > 1 ? columns : 0;
-            default:
-                return columns > 1 && rows > 1 ? columns + rows - 3 : 0;
-        }
-    }
-    static Line line(Direction direction, int n, int columns, int rows) {
-        switch (direction) {
-            case fly:
-                return {0, n, 1, 0, columns - 1};
-            case hoist:
-                return {n, 0, 0, 1, rows - 1};
-            case falling: {
-                const int i = std::max(0, n - (rows - 2)), j = std::max(0, rows - 2 - n);
-                return {i, j, 1, 1, std::min(columns - 1 - i, rows - 1 - j)};
-            }
-            default: {
-                const int i = std::min(n + 1, columns - 1), j = n + 1 - i;
-                return {i, j, -1, 1, std::min(i, rows - 1 - j)};
-            }
-        }
-    }
-
-    /// Every mass, or coarse ones `apart` masses from each other and the last: where they are, how light, and how long
-    /// what is between two of them may be.
-    template <class Real, class InverseMass>
-    struct Lattice {
-        const Grid& grid;
-        int apart, columns, rows;
-        Field<Real> x;
-        InverseMass inverse_mass;  // 1/kg, of (i, j)
-        double diagonal = grid.pitch_diagonal();
-
-        double longest(const Line& along, int k, double stretch) const {
-            const int i = along.i + k * along.di, j = along.j + k * along.dj;
-            const int across = along.di == 0 ? 0 : cells(std::min(i, i + along.di), grid.columns);
-            const int down = along.dj == 0 ? 0 : cells(j, grid.rows), both = std::min(across, down);
-            return (1.0 + stretch) *
-                   (both * diagonal + (across - both) * grid.pitch_x + (down - both) * grid.pitch_y);
-        }
-        int cells(int n, int masses) const { return std::min(apart, masses - 1 - n * apart); }
-
-        double shorten(const Line& along, double stretch, double beyond, TautLine& room) const {
-            const std::ptrdiff_t from = along.j * x.stride + along.i, step = along.dj * x.stride + along.di;
-            const auto at = [&](int k) {
-                const auto place = x.template at<Real>(from + k * step);
-                return Vec3<double>{place.x, place.y, place.z};
-            };
-            return room.shorten(
-                along.springs, beyond, at,
-                [&](int k) -> double { return inverse_mass(along.i + k * along.di, along.j + k * along.dj); },
-                [&](int k) { return longest(along, k, stretch); },
-                [&](int k, const Vec3<double>& dx) {
-                    const auto to = at(k) + dx;
-                    x.set(from + k * step,
-                          Vec3<Real>{static_cast<Real>(to.x), static_cast<Real>(to.y), static_cast<Real>(to.z)});
-                });
-        }
-    };
-    template <class Real, class InverseMass>
-    Lattice(const Grid&, int, int, int, Field<Real>, InverseMass) -> Lattice<Real, InverseMass>;
-
     /// Returns by how much springs were too long, in all (m).
     template <class Real>
     double sweep(const Grid& grid, bool diagonals, const RowConstants<Real>* constants, const Field<Real>& x,
                  Room<Real>& room, double beyond) const {
-        const Lattice all{grid,      1, grid.columns,
-                          grid.rows, x, [&](int i, int j) { return constants[j].inverse_mass[i]; }};
+        const Lattice all{grid, 1, x, [&](int i, int j) { return constants[j].inverse_mass[i]; }};
         double sum = 0.0;
-        for (const Direction direction : {fly, hoist, falling, rising}) {
-            if (direction >= falling && !diagonals) break;
-            const int count = lines(direction, grid.columns, grid.rows);
-            if (count == 0) continue;
-            const double longest = all.longest(line(direction, 0, grid.columns, grid.rows), 0, stretch);
-            look(grid, direction, x, room.squares);
-            for (int n = 0; n < count; ++n)
+        for (const Along along : all_lines) {
+            if (!diagonals && along >= Along::falling) break;
+            look(grid, along, x, room.squares);
+            all.for_lines(along, [&](int n, const SpringLine& line) {
+                const double longest = (1.0 + stretch) * all.rest_length(line, 0);
                 if (static_cast<double>(room.squares[n]) > longest * longest)
-                    sum += all.shorten(line(direction, n, grid.columns, grid.rows), stretch, beyond, room.line);
+                    sum += all.shorten(line, 1.0 + stretch, beyond, room.taut);
+            });
         }
         return sum;
     }
 
-    /// The square of the longest spring of each line.
+    /// The square of the longest spring of each line that runs along (m2).
     template <class Real>
-    static void look(const Grid& grid, Direction direction, const Field<Real>& x, Array<Real>& squares) {
+    static void look(const Grid& grid, Along along, const Field<Real>& x, Array<Real>& squares) {
         using V = Vector<Real, 16>;
-        const auto square = [](const auto& d) { return dot(d, d); };
-        if (direction == fly) {
+        if (along == Along::fly) {
             for (int j = 0; j < grid.rows; ++j)
                 squares[j] = static_cast<Real>(max_square(x.row(j), 0, x.row(j), 1, grid.columns - 1, 1.0));
             return;
         }
         std::fill(squares.begin(), squares.end(), Real(0));
-        const int from = direction == rising ? 1 : 0, to = direction == falling ? 1 : 0;
-        const int count = direction == hoist ? grid.columns : grid.columns - 1;
+        const int from = along == Along::rising ? 1 : 0, to = along == Along::falling ? 1 : 0;
+        const int count = along == Along::hoist ? grid.columns : grid.columns - 1;
         for (int j = 0; j + 1 < grid.rows; ++j) {
             const auto here = x.row(j), next = x.row(j + 1);
-            Real* most = squares.data() + (direction == falling ? grid.rows - 2 - j : direction == rising ? j : 0);
+            Real* most = squares.data();
+            if (along != Along::hoist) most += along == Along::falling ? grid.rows - 2 - j : j;
+            const auto look_at = [&]<class W>(int i, const W&) {
+                const auto d = next.template at<W>(i + to) - here.template at<W>(i + from);
+                Lanes<W>::store(most + i, Lanes<W>::greater(Lanes<W>::load(most + i), dot(d, d)));
+            };
             int i = 0;
-            for (; i + Lanes<V>::width <= count; i += Lanes<V>::width)
-                Lanes<V>::store(most + i,
-                                Lanes<V>::greater(Lanes<V>::load(most + i),
-                                                  square(next.template at<V>(i + to) - here.template at<V>(i + from))));
-            for (; i < count; ++i)
-                most[i] = std::max(most[i], square(next.template at<Real>(i + to) - here.template at<Real>(i + from)));
+            for (; i + Lanes<V>::width <= count; i += Lanes<V>::width) look_at(i, V{});
+            for (; i < count; ++i) look_at(i, Real{});
         }
-    }
-
-    /// Masses of a row or column of `masses` that are coarse where every `apart`-th is, and the last.
-    static int nodes_of(int masses, int apart) { return (masses - 1 + apart - 1) / apart + 1; }
-
-    /// Calls visit(I, J, share) for the coarse masses that move mass (i, j) along, by what share of their own move.
-    template <class Visit>
-    static void for_nodes(const Grid& grid, int apart, int i, int j, const Visit& visit) {
-        const auto place = [&](int n, int masses) {
-            const int node = std::min(n, std::max(0, masses - 2)) / apart;
-            return std::pair(
-                node,
-                masses > 1 ? static_cast<double>(n - node * apart) / std::min(apart, masses - 1 - node * apart) : 0.0);
-        };
-        const auto [I, u] = place(i, grid.columns);
-        const auto [J, v] = place(j, grid.rows);
-        for (const auto& [J_of, v_of] : {std::pair(J, 1.0 - v), {J + 1, v}})
-            for (const auto& [I_of, u_of] : {std::pair(I, 1.0 - u), {I + 1, u}})
-                if (u_of * v_of > 0.0) visit(I_of, J_of, u_of * v_of);
-    }
-
-    /// From the coarsest grid that there is to one of every other mass: shortens what is between coarse masses, each as
-    /// heavy as the masses that it moves along, so that momentum is kept. A path of springs within the limit is never
-    /// too long for it.
-    template <class Real>
-    void coarse_to_fine(const Grid& grid, bool diagonals, const RowConstants<Real>* constants, const Field<Real>& x,
-                        Room<Real>& room) const {
-        int coarsest = 1;
-        while (2 * coarsest < std::max(grid.columns, grid.rows)) coarsest *= 2;
-        const Field<Real> nodes = room.nodes.view(), before = room.before.view();
-        const auto element = [&](int i, int j) { return static_cast<std::ptrdiff_t>(j) * nodes.stride + i; };
-        const auto for_free = [&](const auto& visit) {
-            for (int j = 0; j < grid.rows; ++j)
-                for (int i = 0; i < grid.columns; ++i)
-                    if (const double w = constants[j].inverse_mass[i]; w > 0.0) visit(i, j, w);
-        };
-        for (int apart = coarsest; apart > 1; apart /= 2) {
-            const int columns = nodes_of(grid.columns, apart), rows = nodes_of(grid.rows, apart);
-            auto& heavy = room.inverse_mass;
-            std::fill(heavy.begin(), heavy.end(), 0.0);
-            for_free([&](int i, int j, double w) {
-                for_nodes(grid, apart, i, j, [&](int I, int J, double share) { heavy[element(I, J)] += share / w; });
-            });
-            for (int J = 0; J < rows; ++J)
-                for (int I = 0; I < columns; ++I) {
-                    const int i = std::min(I * apart, grid.columns - 1), j = std::min(J * apart, grid.rows - 1);
-                    const auto place = x.template at<Real>(j * x.stride + i);
-                    nodes.set(element(I, J), place), before.set(element(I, J), place);
-                    double& w = heavy[element(I, J)];
-                    w = constants[j].inverse_mass[i] > 0.0 ? 1.0 / w : 0.0;
-                }
-            const Lattice coarse{grid, apart, columns, rows, nodes, [&](int I, int J) { return heavy[element(I, J)]; }};
-            double sum = 0.0;
-            for (const Direction direction : {fly, hoist, falling, rising})
-                for (int n = 0; (direction < falling || diagonals) && n < lines(direction, columns, rows); ++n)
-                    sum += coarse.shorten(line(direction, n, columns, rows), stretch, over_relaxation, room.line);
-            if (sum == 0.0) continue;
-            for_free([&](int i, int j, double) {
-                const auto n = static_cast<std::ptrdiff_t>(j) * x.stride + i;
-                auto place = x.template at<Real>(n);
-                for_nodes(grid, apart, i, j, [&](int I, int J, double share) {
-                    place = place + static_cast<Real>(share) * difference(before, nodes, element(I, J));
-                });
-                x.set(n, place);
-            });
-        }
-    }
-
-    template <class Real>
-    static Vec3<Real> difference(const Field<Real>& from, const Field<Real>& to, std::ptrdiff_t n) {
-        return to.template at<Real>(n) - from.template at<Real>(n);
     }
 
     /// Greatest square of l/L over `count` springs that start side by side.

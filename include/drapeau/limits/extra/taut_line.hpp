@@ -30,8 +30,8 @@ public:
 
     /// Shortens a line of `springs` once. at(k): place of mass k (m); inverse_mass(k): its w, in any unit; longest(k):
     /// how long spring k may be (m); move(k, dx): what mass k is to be moved by. `beyond`: a spring that is too long is
-    /// shortened by so much more, as a share, but for no more than a tenth of its length. Returns by how much springs
-    /// that can be shortened were too long, in all (m).
+    /// shortened by so much more, as a share, but by no more than a hundredth of its length. Returns by how much
+    /// springs that can be shortened were too long, in all (m).
     template <class At, class InverseMass, class Longest, class Move>
     double shorten(int springs, double beyond, const At& at, const InverseMass& inverse_mass, const Longest& longest,
                    const Move& move) {
@@ -57,7 +57,7 @@ public:
             s.coupling = s.w * std::max(0.0, dot(link(k - 1).e, s.e));
             if (s.excess <= 0.0 || w == 0.0) continue;
             sum += s.excess;
-            s.excess += std::min(beyond * s.excess, 0.1 * s.longest);
+            s.excess += std::min(beyond * s.excess, 0.01 * s.longest);
         }
         if (sum == 0.0) return 0.0;
         for (int turn = 0; turn < most_turns && tighten(turn % 2 == 0); ++turn) continue;
