@@ -120,10 +120,13 @@ private:
     /// The square of the longest spring of each line that runs along (m2).
     template <class Real>
     static void look(const Grid& grid, Along along, const Field<Real>& x, Array<Real>& squares) {
-        using V = Vector<Real, 16>;
+        using V = Vector<Real>;
         if (along == Along::fly) {
-            for (int j = 0; j < grid.rows; ++j)
-                squares[j] = static_cast<Real>(max_square(x.row(j), 0, x.row(j), 1, grid.columns - 1, 1.0));
+            for (int j = 0; j < grid.rows; ++j) {
+                Greatest<Real> most;
+                most.look(x.row(j), 0, x.row(j), 1, grid.columns - 1, 1.0);
+                squares[j] = static_cast<Real>(most.square());
+            }
             return;
         }
         std::fill(squares.begin(), squares.end(), Real(0));
@@ -143,44 +146,56 @@ private:
         }
     }
 
-    /// Greatest square of l/L over `count` springs that start side by side.
+    /// The greatest square of l/L; infinite if a position is not finite.
     template <class Real>
-    static double max_square(const Field<Real>& from, std::ptrdiff_t first, const Field<Real>& to, std::ptrdiff_t end,
-                             int count, double rest) {
-        using V = Vector<Real, 16>;
-        const auto scale = static_cast<Real>(1.0 / (rest * rest));
-        V most{};
-        int i = 0;
-        bool finite = true;
-        for (; i + Lanes<V>::width <= count; i += Lanes<V>::width) {
-            const auto d = to.template at<V>(end + i) - from.template at<V>(first + i);
-            const V square = dot(d, d);
-            most = Lanes<V>::greater(most, square);
-            finite = finite && sum_of(square - square) == 0.0;
+    class Greatest {
+        using V = Vector<Real>;
+
+    public:
+        /// `count` springs of rest length `rest` (m) that start side by side.
+        void look(const Field<Real>& from, std::ptrdiff_t first, const Field<Real>& to, std::ptrdiff_t end, int count,
+                  double rest) {
+            const auto scale = static_cast<Real>(1.0 / (rest * rest));
+            const auto square = [&]<class W>(int i, const W&) {
+                const auto d = to.template at<W>(end + i) - from.template at<W>(first + i);
+                return scale * dot(d, d);
+            };
+            int i = 0;
+            for (; i + Lanes<V>::width <= count; i += Lanes<V>::width) {
+                const V s = square(i, V{});
+                most_ = Lanes<V>::greater(most_, s);
+                odd_ += s - s;
+            }
+            for (; i < count; ++i) {
+                const Real s = square(i, Real{});
+                last_most_ = Lanes<Real>::greater(last_most_, s);
+                last_odd_ += s - s;
+            }
         }
-        double all = max_of(most);
-        for (; i < count; ++i) {
-            const auto d = to.template at<Real>(end + i) - from.template at<Real>(first + i);
-            const double square = dot(d, d);
-            finite = finite && std::isfinite(square);
-            all = std::fmax(all, square);
+        double square() const {
+            const bool finite = sum_of(odd_) == 0.0 && last_odd_ == 0;
+            return finite ? std::max(max_of(most_), static_cast<double>(last_most_)) : INFINITY;
         }
-        return finite ? all * static_cast<double>(scale) : INFINITY;
-    }
+
+    private:
+        V most_{}, odd_{};  // odd: 0, or NaN from where a square is not finite
+        Real last_most_{}, last_odd_{};
+    };
 
     template <class Real>
     static double max_stretch(const Grid& grid, bool diagonals, const Field<Real>& x) {
-        double most = 0.0;
+        Greatest<Real> most;
+        const double diagonal = grid.pitch_diagonal();
         for (int j = 0; j < grid.rows; ++j) {
             const auto here = x.row(j), next = x.row(j + 1);
-            most = std::fmax(most, max_square(here, 0, here, 1, grid.columns - 1, grid.pitch_x));
+            most.look(here, 0, here, 1, grid.columns - 1, grid.pitch_x);
             if (j + 1 == grid.rows) continue;
-            most = std::fmax(most, max_square(here, 0, next, 0, grid.columns, grid.pitch_y));
+            most.look(here, 0, next, 0, grid.columns, grid.pitch_y);
             if (!diagonals) continue;
-            most = std::fmax(most, max_square(here, 0, next, 1, grid.columns - 1, grid.pitch_diagonal()));
-            most = std::fmax(most, max_square(here, 1, next, 0, grid.columns - 1, grid.pitch_diagonal()));
+            most.look(here, 0, next, 1, grid.columns - 1, diagonal);
+            most.look(here, 1, next, 0, grid.columns - 1, diagonal);
         }
-        return std::sqrt(most) - 1.0;
+        return std::sqrt(most.square()) - 1.0;
     }
 };
 
