@@ -88,10 +88,9 @@ struct StretchLimit {
                 if (before - excess < 1e-3 * excess) return report;
                 before = excess;
             }
-            const double beyond = report.sweeps > 0 ? over_relaxation : 0.0;
             if (report.sweeps >= sweeps_alone && report.sweeps % 2 == 0)
-                room.coarse.shorten(grid, diagonals, constants, x, 1.0 + stretch, beyond, room.taut);
-            excess = sweep(grid, diagonals, constants, x, room, beyond);
+                room.coarse.shorten(grid, diagonals, constants, x, 1.0 + stretch, over_relaxation, room.taut);
+            excess = sweep(grid, diagonals, constants, x, room, report.sweeps == 0);
             ++report.sweeps;
         }
     }
@@ -99,17 +98,19 @@ struct StretchLimit {
     bool operator==(const StretchLimit&) const = default;
 
 private:
-    /// Returns by how much springs were too long, in all (m).
+    /// Shortens all lines in which a spring is too long, after the first sweep only those where more is left than half
+    /// of what may be. Returns by how much their springs were too long, in all (m).
     template <class Real>
     double sweep(const Grid& grid, bool diagonals, const RowConstants<Real>* constants, const Field<Real>& x,
-                 Room<Real>& room, double beyond) const {
+                 Room<Real>& room, bool first) const {
+        const double beyond = first ? 0.0 : over_relaxation, left = first ? 0.0 : 0.5 * tolerance;
         const Lattice all{grid, 1, x, [&](int i, int j) { return constants[j].inverse_mass[i]; }};
         double sum = 0.0;
         for (const Along along : all_lines) {
             if (!diagonals && along >= Along::falling) break;
             look(grid, along, x, room.squares);
             all.for_lines(along, [&](int n, const SpringLine& line) {
-                const double longest = (1.0 + stretch) * all.rest_length(line, 0);
+                const double longest = (1.0 + stretch + left) * all.rest_length(line, 0);
                 if (static_cast<double>(room.squares[n]) > longest * longest)
                     sum += all.shorten(line, 1.0 + stretch, beyond, room.taut);
             });
