@@ -34,7 +34,7 @@ public:
     /// All masses at rest at their places in the grid.
     Stepper(const Model& model, const Kernels<Real>& kernels) : body_(model, kernels), whole_(body_, 0, 1) {
         use_threads(1);
-        if (model.is_limited()) room_ = StretchLimit::Room<Real>(model.grid);
+        if (model.limits.get<StretchLimit>()) room_ = StretchLimit::Room<Real>(model.grid);
         for (int j = 0; j < model.grid.rows; ++j)
             for (int i = 0; i < model.grid.columns; ++i) position_.set(i, j, model.grid.rest(i, j));
     }
