@@ -34,6 +34,7 @@ public:
     /// All masses at rest at their places in the grid.
     Stepper(const Model& model, const Kernels<Real>& kernels) : body_(model, kernels), whole_(body_, 0, 1) {
         use_threads(1);
+        if (model.limits.get<StretchLimit>()) room_ = StretchLimit::Room<Real>(model.grid);
         for (int j = 0; j < model.grid.rows; ++j)
             for (int i = 0; i < model.grid.columns; ++i) position_.set(i, j, model.grid.rest(i, j));
     }
@@ -214,7 +215,7 @@ private:
             if constexpr (!Contact<Limit>) {
                 if (!changed) moved_ = position_;
                 const PassReport done =
-                    limit.apply(model().grid, model().has_diagonals(), body_.rows.constants(), moved_.view());
+                    limit.apply(model().grid, model().has_diagonals(), body_.rows.constants(), moved_.view(), room_);
                 report.add(done);
                 changed = changed || done.sweeps > 0;
             }
@@ -298,6 +299,7 @@ private:
     Body<Real> body_;
     FieldBuffer<Real>&position_ = body_.fields[0], &velocity_ = body_.fields[1];
     FieldBuffer<Real> moved_;
+    StretchLimit::Room<Real> room_;
     std::vector<std::unique_ptr<Block<Real>>> blocks_;
     Block<Real> whole_;  // all rows, for what one member does alone
     std::unique_ptr<Team> team_;

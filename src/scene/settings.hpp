@@ -202,7 +202,7 @@ inline constexpr std::tuple keys_of<StretchLimit>{
     Key{"stretch", &StretchLimit::stretch,
         About{"Stretch limit", "", "share; 0.05: no spring longer than 1.05 times its rest length",
               "After every step, springs that are longer are shortened. A higher limit lets the cloth stretch more; a "
-              "limit well below the stretch without one takes many times as long."},
+              "limit well below the stretch without one takes several times as long."},
         Range{0, 10}, Control{{2, 50}, false, "%.1f", 100, "%"}, "", true},
 };
 

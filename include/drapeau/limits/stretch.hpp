@@ -2,15 +2,21 @@
 // report's own future work (section 5), as a pass after the move.
 //
 // A spring that is too long is shortened by moving its two ends along it, in proportion to their inverse masses, so
-// that linear momentum is kept (Provot 1995). One sweep over the springs shortens each in turn; sweeps go on, to and
-// fro, until none is too long. Velocities follow what was moved (v += dx/dt): clamped positions alone would leave a
-// hidden velocity that grows for ever. For the same reason the sweeps begin as soon as a spring is too long at all, not
-// when it is by more than what may be left: an excess gathered over many steps and taken back in one would be thrown
-// back.
+// that linear momentum is kept (Provot 1995). One after the other that takes sweeps by the square of the springs in a
+// line. Here a sweep takes a whole line at once (taut_line.hpp): every row, every column, every diagonal in which a
+// spring is too long. Lines that cross pull on each other, so sweeps go on until none is too long. From the second on
+// they shorten by over_relaxation more. From the fifth on every other one begins coarse to fine: masses 2^n apart are
+// no farther apart than springs between them permit, and what moves those moves the ones between.
+//
+// Velocities follow what was moved (v += dx/dt): clamped positions alone would leave a hidden velocity that grows for
+// ever. For the same reason the sweeps begin as soon as a spring is too long at all, not when it is by more than what
+// may be left: an excess gathered over many steps and taken back in one would be thrown back.
 #pragma once
 
+#include "drapeau/limits/extra/coarse_masses.hpp"
 #include "drapeau/state.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace drapeau {
@@ -39,17 +45,37 @@ struct StretchLimit {
 
     /// What may be left beyond the limit, as a share of the rest length.
     static constexpr double tolerance = 1e-4;
-    /// A spring N links from the attachment needs up to about 2.5 N^2 sweeps when all are too long; far fewer when the
-    /// step before left them short enough. Beyond this many the report says that the limit was not met.
-    static constexpr int max_sweeps = 4000;
+    /// By how much more than it is too long a spring is shortened, from the second sweep on: springs of lines that
+    /// cross give some of it back.
+    static constexpr double over_relaxation = 0.7;
+    /// So many sweeps are made before every other one begins coarse to fine: from one step to the next springs become
+    /// too long by little, which fewer sweeps take back.
+    static constexpr int sweeps_alone = 4;
+    /// A few sweeps are enough, some tens where a large cloth is far too long in all directions. Beyond this many the
+    /// report says that the limit was not met.
+    static constexpr int max_sweeps = 1000;
     /// Where so many sweeps take less than a thousandth from the sum of what is too long, the attachments do not permit
-    /// more. (The sum, for the greatest stretch stays for long where shortening comes from a free end far away.)
-    static constexpr int sweeps_to_judge = 64;
+    /// more.
+    static constexpr int sweeps_to_judge = 16;
+
+    /// What a pass works in, made once for a grid.
+    template <class Real>
+    struct Room {
+        Room() = default;
+        explicit Room(const Grid& grid)
+            : taut(std::max(grid.columns, grid.rows)),
+              squares(static_cast<std::size_t>(grid.columns + grid.rows)),
+              coarse(grid) {}
+
+        TautLine taut;
+        Array<Real> squares;  // m2, of the longest spring of each line
+        CoarseMasses<Real> coarse;
+    };
 
     /// Moves positions `x`. `constants`: of each row.
     template <class Real>
-    PassReport apply(const Grid& grid, bool diagonals, const RowConstants<Real>* constants,
-                     const Field<Real>& x) const {
+    PassReport apply(const Grid& grid, bool diagonals, const RowConstants<Real>* constants, const Field<Real>& x,
+                     Room<Real>& room) const {
         PassReport report{.steps = 1};
         double excess = INFINITY, before = INFINITY;  // m, what the last sweep found too long; that when last judged
         for (;;) {
@@ -62,10 +88,9 @@ struct StretchLimit {
                 if (before - excess < 1e-3 * excess) return report;
                 before = excess;
             }
-            const bool down = report.sweeps % 2 == 0;
-            excess = 0.0;
-            for (int n = 0; n < grid.rows; ++n)
-                excess += shorten_row(grid, diagonals, constants, x, down ? n : grid.rows - 1 - n);
+            if (report.sweeps >= sweeps_alone && report.sweeps % 2 == 0)
+                room.coarse.shorten(grid, diagonals, constants, x, 1.0 + stretch, over_relaxation, room.taut);
+            excess = sweep(grid, diagonals, constants, x, room, report.sweeps == 0);
             ++report.sweeps;
         }
     }
@@ -73,85 +98,105 @@ struct StretchLimit {
     bool operator==(const StretchLimit&) const = default;
 
 private:
-    /// Calls visit(i, j, di, dj, rest length) for the springs that row j starts.
-    template <class Visit>
-    static void for_springs(const Grid& grid, bool diagonals, int j, Visit&& visit) {
-        const bool below = j + 1 < grid.rows;
-        const double diagonal = grid.pitch_diagonal();
-        for (int i = 0; i < grid.columns; ++i) {
-            const bool right = i + 1 < grid.columns;
-            if (right) visit(i, j, 1, 0, grid.pitch_x);
-            if (below) visit(i, j, 0, 1, grid.pitch_y);
-            if (right && below && diagonals) {
-                visit(i, j, 1, 1, diagonal);
-                visit(i + 1, j, -1, 1, diagonal);
+    /// Shortens all lines in which a spring is too long, after the first sweep only those where more is left than half
+    /// of what may be. Returns by how much their springs were too long, in all (m).
+    template <class Real>
+    double sweep(const Grid& grid, bool diagonals, const RowConstants<Real>* constants, const Field<Real>& x,
+                 Room<Real>& room, bool first) const {
+        const double beyond = first ? 0.0 : over_relaxation, left = first ? 0.0 : 0.5 * tolerance;
+        const Lattice all{grid, 1, x, [&](int i, int j) { return constants[j].inverse_mass[i]; }};
+        double sum = 0.0;
+        for (const Along along : all_lines) {
+            if (!diagonals && along >= Along::falling) break;
+            look(grid, along, x, room.squares);
+            all.for_lines(along, [&](int n, const SpringLine& line) {
+                const double longest = (1.0 + stretch + left) * all.rest_length(line, 0);
+                if (static_cast<double>(room.squares[n]) > longest * longest)
+                    sum += all.shorten(line, 1.0 + stretch, beyond, room.taut);
+            });
+        }
+        return sum;
+    }
+
+    /// The square of the longest spring of each line that runs along (m2).
+    template <class Real>
+    static void look(const Grid& grid, Along along, const Field<Real>& x, Array<Real>& squares) {
+        using V = Vector<Real>;
+        if (along == Along::fly) {
+            for (int j = 0; j < grid.rows; ++j) {
+                Greatest<Real> most;
+                most.look(x.row(j), 0, x.row(j), 1, grid.columns - 1, 1.0);
+                squares[j] = static_cast<Real>(most.square());
+            }
+            return;
+        }
+        std::fill(squares.begin(), squares.end(), Real(0));
+        const int from = along == Along::rising ? 1 : 0, to = along == Along::falling ? 1 : 0;
+        const int count = along == Along::hoist ? grid.columns : grid.columns - 1;
+        for (int j = 0; j + 1 < grid.rows; ++j) {
+            const auto here = x.row(j), next = x.row(j + 1);
+            Real* most = squares.data();
+            if (along != Along::hoist) most += along == Along::falling ? grid.rows - 2 - j : j;
+            const auto look_at = [&]<class W>(int i, const W&) {
+                const auto d = next.template at<W>(i + to) - here.template at<W>(i + from);
+                Lanes<W>::store(most + i, Lanes<W>::greater(Lanes<W>::load(most + i), dot(d, d)));
+            };
+            int i = 0;
+            for (; i + Lanes<V>::width <= count; i += Lanes<V>::width) look_at(i, V{});
+            for (; i < count; ++i) look_at(i, Real{});
+        }
+    }
+
+    /// The greatest square of l/L; infinite if a position is not finite.
+    template <class Real>
+    class Greatest {
+        using V = Vector<Real>;
+
+    public:
+        /// `count` springs of rest length `rest` (m) that start side by side.
+        void look(const Field<Real>& from, std::ptrdiff_t first, const Field<Real>& to, std::ptrdiff_t end, int count,
+                  double rest) {
+            const auto scale = static_cast<Real>(1.0 / (rest * rest));
+            const auto square = [&]<class W>(int i, const W&) {
+                const auto d = to.template at<W>(end + i) - from.template at<W>(first + i);
+                return scale * dot(d, d);
+            };
+            int i = 0;
+            for (; i + Lanes<V>::width <= count; i += Lanes<V>::width) {
+                const V s = square(i, V{});
+                most_ = Lanes<V>::greater(most_, s);
+                odd_ += s - s;
+            }
+            for (; i < count; ++i) {
+                const Real s = square(i, Real{});
+                last_most_ = Lanes<Real>::greater(last_most_, s);
+                last_odd_ += s - s;
             }
         }
-    }
-
-    template <class Real>
-    static Vec3<Real> difference(const Field<Real>& x, std::ptrdiff_t from, std::ptrdiff_t to) {
-        return x.template at<Real>(to) - x.template at<Real>(from);
-    }
-
-    /// Greatest square of l/L over `count` springs that start side by side.
-    template <class Real>
-    static double max_square(const Field<Real>& from, std::ptrdiff_t first, const Field<Real>& to, std::ptrdiff_t end,
-                             int count, double rest) {
-        using V = Vector<Real, 16>;
-        const auto scale = static_cast<Real>(1.0 / (rest * rest));
-        V most{};
-        int i = 0;
-        bool finite = true;
-        for (; i + Lanes<V>::width <= count; i += Lanes<V>::width) {
-            const auto d = to.template at<V>(end + i) - from.template at<V>(first + i);
-            const V square = dot(d, d);
-            most = Lanes<V>::greater(most, square);
-            finite = finite && sum_of(square - square) == 0.0;
+        double square() const {
+            const bool finite = sum_of(odd_) == 0.0 && last_odd_ == 0;
+            return finite ? std::max(max_of(most_), static_cast<double>(last_most_)) : INFINITY;
         }
-        double all = max_of(most);
-        for (; i < count; ++i) {
-            const auto d = to.template at<Real>(end + i) - from.template at<Real>(first + i);
-            const double square = dot(d, d);
-            finite = finite && std::isfinite(square);
-            all = std::fmax(all, square);
-        }
-        return finite ? all * static_cast<double>(scale) : INFINITY;
-    }
+
+    private:
+        V most_{}, odd_{};  // odd: 0, or NaN from where a square is not finite
+        Real last_most_{}, last_odd_{};
+    };
 
     template <class Real>
     static double max_stretch(const Grid& grid, bool diagonals, const Field<Real>& x) {
-        double most = 0.0;
+        Greatest<Real> most;
+        const double diagonal = grid.pitch_diagonal();
         for (int j = 0; j < grid.rows; ++j) {
             const auto here = x.row(j), next = x.row(j + 1);
-            most = std::fmax(most, max_square(here, 0, here, 1, grid.columns - 1, grid.pitch_x));
+            most.look(here, 0, here, 1, grid.columns - 1, grid.pitch_x);
             if (j + 1 == grid.rows) continue;
-            most = std::fmax(most, max_square(here, 0, next, 0, grid.columns, grid.pitch_y));
+            most.look(here, 0, next, 0, grid.columns, grid.pitch_y);
             if (!diagonals) continue;
-            most = std::fmax(most, max_square(here, 0, next, 1, grid.columns - 1, grid.pitch_diagonal()));
-            most = std::fmax(most, max_square(here, 1, next, 0, grid.columns - 1, grid.pitch_diagonal()));
+            most.look(here, 0, next, 1, grid.columns - 1, diagonal);
+            most.look(here, 1, next, 0, grid.columns - 1, diagonal);
         }
-        return std::sqrt(most) - 1.0;
-    }
-
-    /// Returns by how much the springs that row j starts were too long, in all (m).
-    template <class Real>
-    double shorten_row(const Grid& grid, bool diagonals, const RowConstants<Real>* constants, const Field<Real>& x,
-                       int j) const {
-        double sum = 0.0;
-        for_springs(grid, diagonals, j, [&](int i, int row, int di, int dj, double rest) {
-            const auto from = row * x.stride + i, to = from + dj * x.stride + di;
-            const auto longest = static_cast<Real>((1.0 + stretch) * rest);
-            const auto d = difference(x, from, to);
-            const Real square = dot(d, d);
-            const Real w = constants[row].inverse_mass[i], w_to = constants[row + dj].inverse_mass[i + di];
-            if (!(square > longest * longest) || w + w_to == Real(0)) return;
-            const Real l = std::sqrt(square), excess = (Real(1) - longest / l) / (w + w_to);
-            sum += static_cast<double>(l - longest);
-            x.set(from, x.template at<Real>(from) + (w * excess) * d);
-            x.set(to, x.template at<Real>(to) - (w_to * excess) * d);
-        });
-        return sum;
+        return std::sqrt(most.square()) - 1.0;
     }
 };
 
