@@ -8,6 +8,7 @@
 #include "drapeau/pass_row.hpp"
 #include "drapeau/sweep.hpp"
 
+#include <limits>
 #include <utility>
 
 namespace drapeau {
@@ -31,10 +32,21 @@ DRAPEAU_INLINE Vec3<V> acceleration_of(const Vec3<V>& force, const PassRow<typen
     auto a = acceleration_of(force, L::load(constants.inverse_mass + i), row.pushed.template at<V>(i));
     if (row.added_push.x) {
         const auto s = row.added_direction.template at<V>(i);
+        const auto v = row.field[seen_velocity].template at<V>(i);
         a = a + row.added_push.template at<V>(i);
-        a = a - dot(s, a - L::load(constants.rate + i) * row.field[seen_velocity].template at<V>(i)) * s;
+        a = a - (dot(s, a) - L::load(constants.rate + i) * dot(s, v)) * s;
     }
     return a;
+}
+
+/// g, of a register of a row: the air that moves along resists an acceleration a like a mass m g g^T. Asked only where
+/// there is some.
+template <class V>
+DRAPEAU_INLINE Vec3<V> added_inertia(const Field<const typename Lanes<V>::Real>& direction, std::ptrdiff_t i) {
+    using Real = typename Lanes<V>::Real;
+    const auto s = direction.template at<V>(i);
+    constexpr Real least = 4 * std::numeric_limits<Real>::epsilon();  // of what the cloth is of all that moves
+    return inverse_sqrt<V>(Lanes<V>::greater(Lanes<V>::broadcast(least), Real(1) - dot(s, s))) * s;
 }
 
 /// Sweeps the rows of a pass, `fresh` beginning each. Calls finish(the row, its constants, i, value) on each register
@@ -103,9 +115,9 @@ DRAPEAU_INLINE void for_rows_accounted(const Pass<typename Lanes<V>::Real>& pass
             const auto springs = force.elastic + force.damping;
             const auto a = acceleration_of<seen_velocity>(springs, row, constants, i);
             const auto motion = move(Masses<V>{row.field, i}, constants, a);
-            auto pushed = motion.acceleration - w * springs;
-            if (pass.bent.x) pushed = pushed - bent.template at<V>(i);
-            external = external + m * dot(pushed, motion.velocity);
+            auto but_bent = motion.acceleration;
+            if (pass.bent.x) but_bent = but_bent - bent.template at<V>(i);
+            external = external + (m * dot(but_bent, motion.velocity) - (m * w) * dot(springs, motion.velocity));
             damping = damping + dot((m * w) * force.damping, motion.velocity);
             drift = drift + m * motion.velocity;
         },
