@@ -123,7 +123,7 @@ public:
     void look_at_added_air(double now, double ahead, bool is_first, Meet&& meet) {
         Pass<Real> p = pass(0.0);
         p.time = now;
-        p.added.is_first = is_first;
+        p.added.ahead = static_cast<Real>(ahead), p.added.is_first = is_first;
         ahead_ = ahead;
         p.accelerate = body_.model.varies_by_row() ? &find_gust_of_row : nullptr;
         if (!p.accelerate) find_gust(first_, now);
@@ -299,7 +299,7 @@ private:
                 Real &w = wind_.component(c)[i], &a = acceleration_.component(c)[i];
                 const Real change = a - w;
                 w += Real(0.5) * change;
-                a = change / static_cast<Real>(ahead_);
+                a = ahead_ > 0.0 ? change / static_cast<Real>(ahead_) : Real(0);
             }
     }
     static void find_gust_of_row(void* block, int row, double time) {

@@ -79,6 +79,7 @@ struct AddedAirRows {
     Real pitch_x, pitch_y;  // m
     int columns, margin;
     int reach_x, reach_y;  // masses, to either side
+    Real ahead;            // s, for which a look is held
     bool is_first;         // nothing is known of before
 
     DRAPEAU_INLINE bool is_felt() const { return push.x != nullptr; }

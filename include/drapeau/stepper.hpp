@@ -196,8 +196,7 @@ private:
     /// Looks at the air that moves along, unless what it does is held already.
     void look_at_added_air(double now) {
         if (is_air_held_ || !model().added_air()) return;
-        constexpr double some = 1e-3;  // s, ahead, where no step is known
-        const double ahead = started_dt_ > 0.0 ? steps_held(model(), started_dt_) * started_dt_ : some;
+        const double ahead = steps_held(model(), started_dt_) * started_dt_;
         run([&](int n) { blocks_[n]->look_at_added_air(now, ahead, true, meet_); });
         is_air_held_ = true;
     }

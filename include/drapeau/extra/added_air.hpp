@@ -68,13 +68,16 @@ inline double added_air_rate(const Model& model) {
 }
 inline constexpr double longest_hold = 0.5, usual_hold = 0.3;  // over that rate
 
-/// K, the steps of dt (s) for which the air's force is held. 0 without added air.
+/// K, the steps of dt (s) for which the air's force is held: usual_hold, and less where the air brakes fast or the
+/// shortest wave that bends would turn by more than a radian. 0 without added air.
 inline int steps_held(const Model& model, double dt) {
     if (!model.added_air()) return 0;
-    // Pressure and friction are held too: at these shares of their own rate they carry no velocity too far.
-    const double rate = std::max(added_air_rate(model) / usual_hold, 2.0 * model.damping_of_air() / model.springs.mass);
+    const double m = model.springs.mass, braking = model.damping_of_air() / m;
+    const auto b = model.bending_strength();
+    const double bending = std::sqrt(Bending::fastest * (b.k_fly + b.k_hoist) / m);
     constexpr double most = 1000;
-    return static_cast<int>(std::clamp(1.0 / (rate * dt), 1.0, most));
+    return static_cast<int>(
+        std::clamp(1.0 / (dt * std::max({added_air_rate(model) / usual_hold, 2.0 * braking, bending})), 1.0, most));
 }
 
 /// What is held, and what a look works with.
@@ -177,7 +180,7 @@ void added_air_flow(const Pass<typename Lanes<V>::Real>& pass) {
         for (int i = 0; i < pass.width; i += Lanes<V>::width) {
             const auto v = pass.fields[1].row(j).template at<V>(i);
             const auto before = air.is_first ? v : previous.template at<V>(i);
-            place.set(i, pass.fields[0].row(j).template at<V>(i));
+            place.set(i, pass.fields[0].row(j).template at<V>(i) + (Real(0.5) * air.ahead) * v);
             relative.set(i, v + Real(0.5) * (v - before) - wind.template at<V>(i));
             previous.set(i, v);
             push.set(i, gust.template at<V>(i));
