@@ -612,6 +612,26 @@ TEMPLATE_LIST_TEST_CASE("Added air that is not listed, or weighs nothing, leaves
     }
 }
 
+TEST_CASE("Added air may be switched, and its cutoff set, while a flag flies", "[physics]") {
+    const Terms still = Terms().add(Gravity{}).add(Air{}).add(Wind{{6.0, 0.0, 1.0}});
+    const auto with = [&](bool added, double cutoff) {
+        Model model(spread(15, 11, 1.0, 0.7), {0.002, 200.0, 100.0, 0.01}, Attach::hoist, still);
+        model.terms.add(Air{.added = added, .cutoff = cutoff});
+        return model;
+    };
+    Sheet<double, Leapfrog> flying(with(false, 0.15));
+    for (const auto& model : {with(true, 0.15), with(true, 0.3), with(false, 0.3)}) {
+        flying.advance(1e-4, 50);
+        flying.stepper.synchronise(flying.time());
+        flying.stepper.refill(model);
+        Sheet<double, Leapfrog> fresh(model, flying.positions(), flying.velocities());
+        fresh.steps = flying.steps,
+        fresh.clock = {flying.time(), flying.steps, 0.0};  // looks go by the number of a step
+        flying.advance(1e-4, 50), fresh.advance(1e-4, 50);
+        CHECK(distance(flying.positions(), fresh.positions()) == 0.0);
+    }
+}
+
 TEMPLATE_LIST_TEST_CASE("Faces that are squashed to nothing stay finite in added air", "[physics]", Precisions) {
     const Model model(spread(12, 9, 1.0, 0.7), slack, Attach::none,
                       Terms().add(Air{.added = true}).add(Wind{.velocity = {5.0, 3.0, 1.0}}));

@@ -63,6 +63,7 @@ public:
         body_.model = model;
         body_.rows.refill(model);
         body_.added.refill(model);
+        is_air_held_ = false;
     }
 
     /// Position and velocity at the same time (s); held masses get no velocity.

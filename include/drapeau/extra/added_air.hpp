@@ -55,17 +55,20 @@ inline double added_mass(const Model& model, int j) {
            (1.0 + 2.0 * M_PI / fly * half);
 }
 
-/// 2 beta U/l (1/s): how fast the air's flow acts on what it carries along, U being its speed at most. 0 without added
-/// air.
-inline double added_air_rate(const Model& model) {
+/// 2 beta U/l (1/s): how fast the air's flow acts on what it carries along at a speed U (m/s). 0 without added air.
+inline double added_air_rate(const Model& model, double speed) {
     const Air* const air = model.added_air();
     if (!air) return 0.0;
     const Grid& grid = model.grid;
     const double cutoff = std::min(reach_of(air->cutoff, grid.pitch_x, grid.columns) * grid.pitch_x,
                                    reach_of(air->cutoff, grid.pitch_y, grid.rows) * grid.pitch_y);
     const double mass = added_mass(model, grid.rows / 2) * model.cell();
-    return 2.0 * mass / (model.springs.mass + mass) * model.fastest_air() / cutoff;
+    return 2.0 * mass / (model.springs.mass + mass) * speed / cutoff;
 }
+inline double added_air_rate(const Model& model) {
+    return added_air_rate(model, model.fastest_air());
+}
+
 /// Over that rate. Held for 0.51 of its inverse flags stay whole, for 0.68 they do not (measured); 0.2 takes 0.7 % of
 /// the drag.
 inline constexpr double longest_hold = 0.5, usual_hold = 0.2;
@@ -74,12 +77,13 @@ inline constexpr double longest_hold = 0.5, usual_hold = 0.2;
 /// shortest wave that bends would turn by more than a radian. 0 without added air.
 inline int steps_held(const Model& model, double dt) {
     if (!model.added_air()) return 0;
+    constexpr double slowest = 3.0;  // m/s, for cloth that moves by itself
     const double m = model.springs.mass, braking = model.damping_of_air() / m;
     const auto b = model.bending_strength();
-    const double bending = std::sqrt(Bending::fastest * (b.k_fly + b.k_hoist) / m);
+    const double flow = added_air_rate(model, std::max(slowest, model.fastest_air())),
+                 bending = std::sqrt(Bending::fastest * (b.k_fly + b.k_hoist) / m);
     constexpr double most = 1000;
-    return static_cast<int>(
-        std::clamp(1.0 / (dt * std::max({added_air_rate(model) / usual_hold, 2.0 * braking, bending})), 1.0, most));
+    return static_cast<int>(std::clamp(1.0 / (dt * std::max({flow / usual_hold, 2.0 * braking, bending})), 1.0, most));
 }
 
 /// What is held, and what a look works with.
@@ -104,7 +108,16 @@ public:
         refill(model);
     }
 
+    /// Takes over strengths; built anew where air begins or ceases to move along or its reach is another.
     void refill(const Model& model) {
+        const Air* const air = model.added_air();
+        const Grid& grid = model.grid;
+        const int reach_x = air ? reach_of(air->cutoff, grid.pitch_x, grid.columns) : 0,
+                  reach_y = air ? reach_of(air->cutoff, grid.pitch_y, grid.rows) : 0;
+        if (reach_x != reach_x_ || reach_y != reach_y_) {
+            *this = AddedAir(model);
+            return;
+        }
         for (int j = 0; j < static_cast<int>(mass_.size()); ++j) mass_[j] = static_cast<Real>(added_mass(model, j));
     }
 
