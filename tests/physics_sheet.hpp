@@ -117,6 +117,8 @@ public:
     explicit Sheet(const Model& model) : stepper(model, kernels_for<V, Method>(model)) {}
     Sheet(const Model& model, const Points& x, const Points& v) : Sheet(model) { set(x, v); }
 
+    static constexpr bool solves = Method::solves;
+
     const Model& model() const { return stepper.model(); }
 
     /// Position and velocity at the same time.
@@ -160,11 +162,15 @@ bool same_bits(const FieldBuffer<Real>& a, const FieldBuffer<Real>& b) {
             return false;
     return true;
 }
-/// Whether two sheets hold the same bits in every field, what a method keeps included.
+/// Whether two sheets hold the same bits in every field, what a method and held terms keep included.
 template <class Tested>
 bool same_bits(const Tested& a, const Tested& b) {
     const auto one = a.checkpoint(), other = b.checkpoint();
-    if (one.fields.size() != other.fields.size() || one.started_dt != other.started_dt) return false;
+    if (one.fields.size() != other.fields.size() || one.held.size() != other.held.size() ||
+        one.started_dt != other.started_dt)
+        return false;
+    for (std::size_t f = 0; f < one.held.size(); ++f)
+        if (!same_bits(one.held[f], other.held[f])) return false;
     for (std::size_t f = 0; f < one.fields.size(); ++f)
         if (!same_bits(one.fields[f], other.fields[f])) return false;
     return true;

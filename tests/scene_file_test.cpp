@@ -104,7 +104,8 @@ public:
         if (coin()) scene.gravity() = Gravity{three(-1e4, 1e4)};
         if (coin())
             scene.terms.add(Air{positive(1e-3, 1e3), coin() ? std::optional(number(0.0, 100.0)) : std::nullopt,
-                                coin() ? std::optional(number(0.0, 100.0)) : std::nullopt});
+                                coin() ? std::optional(number(0.0, 100.0)) : std::nullopt, coin(),
+                                positive(1e-3, 1e3)});
         if (coin()) scene.limits.add(StretchLimit{positive(1e-6, 10.0)});
         if (coin()) scene.limits.add(Ground{number(-1e3, 1e3), positive(1e-6, 100.0)});
         if (coin()) scene.limits.add(Pole{positive(1e-3, 10.0), positive(1e-6, 100.0)});

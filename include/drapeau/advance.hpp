@@ -3,10 +3,12 @@
 
 #include "drapeau/air_rows.hpp"
 #include "drapeau/bending_rows.hpp"
+#include "drapeau/extra/added_air.hpp"
 #include "drapeau/method.hpp"
 #include "drapeau/pass_row.hpp"
 #include "drapeau/sweep.hpp"
 
+#include <limits>
 #include <utility>
 
 namespace drapeau {
@@ -19,6 +21,32 @@ DRAPEAU_INLINE Vec3<V> acceleration_of(const Vec3<V>& force, V inverse_mass, con
     const auto a = inverse_mass * force + pushed;
     return {L::where_positive(inverse_mass, a.x), L::where_positive(inverse_mass, a.y),
             L::where_positive(inverse_mass, a.z)};
+}
+
+/// The same of a register of a row, with the air that moves along: it pushes, and it resists any acceleration along the
+/// normal, a0 - rate v, that of drag and friction included.
+template <int seen_velocity, class V, int fields>
+DRAPEAU_INLINE Vec3<V> acceleration_of(const Vec3<V>& force, const PassRow<typename Lanes<V>::Real, fields>& row,
+                                       const RowConstants<typename Lanes<V>::Real>& constants, int i) {
+    using L = Lanes<V>;
+    auto a = acceleration_of(force, L::load(constants.inverse_mass + i), row.pushed.template at<V>(i));
+    if (row.added_push.x) {
+        const auto s = row.added_direction.template at<V>(i);
+        const auto v = row.field[seen_velocity].template at<V>(i);
+        a = a + row.added_push.template at<V>(i);
+        a = a - (dot(s, a) - L::load(constants.rate + i) * dot(s, v)) * s;
+    }
+    return a;
+}
+
+/// g, of a register of a row: the air that moves along resists an acceleration a like a mass m g g^T. Asked only where
+/// there is some.
+template <class V>
+DRAPEAU_INLINE Vec3<V> added_inertia(const Field<const typename Lanes<V>::Real>& direction, std::ptrdiff_t i) {
+    using Real = typename Lanes<V>::Real;
+    const auto s = direction.template at<V>(i);
+    constexpr Real least = 4 * std::numeric_limits<Real>::epsilon();  // of what the cloth is of all that moves
+    return inverse_sqrt<V>(Lanes<V>::greater(Lanes<V>::broadcast(least), Real(1) - dot(s, s))) * s;
 }
 
 /// Sweeps the rows of a pass, `fresh` beginning each. Calls finish(the row, its constants, i, value) on each register
@@ -62,7 +90,7 @@ void advance_rows(const Pass<typename Lanes<V>::Real>& pass) {
              Method::template seen_velocity<damped>>(
         pass,
         [&](const auto& row, const RowConstants<Real>& constants, int i, const Vec3<V>& force) DRAPEAU_INLINE_LAMBDA {
-            const auto a = acceleration_of(force, L::load(constants.inverse_mass + i), row.pushed.template at<V>(i));
+            const auto a = acceleration_of<Method::template seen_velocity<damped>>(force, row, constants, i);
             if constexpr (rated)
                 Method::template move<number, damped>(Masses<V>{row.field, i}, a, L::load(constants.rate + i), dt);
             else
@@ -85,13 +113,14 @@ DRAPEAU_INLINE void for_rows_accounted(const Pass<typename Lanes<V>::Real>& pass
         [&](const auto& row, const auto& constants, int i, const Parts<V>& force) DRAPEAU_INLINE_LAMBDA {
             const V w = L::load(constants.inverse_mass + i), m = L::load(constants.mass + i);
             const auto springs = force.elastic + force.damping;
-            const auto a = acceleration_of(springs, w, row.pushed.template at<V>(i));
+            const auto a = acceleration_of<seen_velocity>(springs, row, constants, i);
             const auto motion = move(Masses<V>{row.field, i}, constants, a);
-            auto pushed = motion.acceleration - w * springs;
-            if (pass.bent.x) pushed = pushed - bent.template at<V>(i);
+            auto but_bent = motion.acceleration;
+            if (pass.bent.x) but_bent = but_bent - bent.template at<V>(i);
             // What is held and moved all the same (Stepper::haul) is pulled against its springs.
             const V pulled = dot(force.elastic, motion.velocity);
-            external = external + m * dot(pushed, motion.velocity) - (pulled - L::where_positive(w, pulled));
+            external = external + (m * dot(but_bent, motion.velocity) - (m * w) * dot(springs, motion.velocity)) -
+                       (pulled - L::where_positive(w, pulled));
             damping = damping + dot((m * w) * force.damping, motion.velocity);
             drift = drift + m * motion.velocity;
         },
@@ -137,9 +166,9 @@ void measure_rows(const Pass<typename Lanes<V>::Real>& pass) {
         [&](const auto& row, const RowConstants<Real>& constants, int i, const Parts<V>& force) DRAPEAU_INLINE_LAMBDA {
             const V w = L::load(constants.inverse_mass + i), m = L::load(constants.mass + i);
             const auto v = row.field[1].template at<V>(i);
-            const auto a =
-                Method::total(acceleration_of(force.elastic + force.damping, w, row.pushed.template at<V>(i)),
-                              L::load(constants.rate + i), v, dt);
+            const auto a = Method::total(acceleration_of<Method::template seen_velocity<damped>>(
+                                             force.elastic + force.damping, row, constants, i),
+                                         L::load(constants.rate + i), v, dt);
             if constexpr (Method::staggered)
                 kinetic = kinetic + m * dot(v, v + dt * a);
             else
@@ -180,7 +209,7 @@ void evaluate_rows(const Pass<typename Lanes<V>::Real>& pass) {
     for_rows<V, SpringForce<V, damped>, diagonals, fields, 0, Method::template seen_velocity<damped>>(
         pass,
         [&](const auto& row, const RowConstants<Real>& constants, int i, const Vec3<V>& force) DRAPEAU_INLINE_LAMBDA {
-            out.set(i, acceleration_of(force, L::load(constants.inverse_mass + i), row.pushed.template at<V>(i)));
+            out.set(i, acceleration_of<Method::template seen_velocity<damped>>(force, row, constants, i));
         },
         [&](int j, const auto&) DRAPEAU_INLINE_LAMBDA {
             if (j >= pass.first) out = pass.out.row(j + 1);
@@ -262,6 +291,9 @@ constexpr Kernels<typename Lanes<V>::Real> kernels_of() {
     k.air[0][1] = &air_rows<V, false, true>;
     k.air[1][1] = &air_rows<V, true, true>;
     k.air_rate = &air_rate_rows<V>;
+    k.added_air[0] = &added_air_flow<V>;
+    k.added_air[1] = &added_air_momentum<V>;
+    k.added_air[2] = &added_air_push<V>;
     k.bending[0][0] = &bending_rows<V, false, false>;
     k.bending[0][1] = &bending_rows<V, false, true>;
     k.bending[1][0] = &bending_rows<V, true, false>;

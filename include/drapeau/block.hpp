@@ -30,7 +30,7 @@ inline constexpr long long no_step = -1;
 template <class Real>
 struct Body {
     Body(const Model& of, const Kernels<Real>& by)
-        : model(of), kernels(by), rows(of), sums(static_cast<std::size_t>(of.grid.rows)) {
+        : model(of), kernels(by), rows(of), added(of), sums(static_cast<std::size_t>(of.grid.rows)) {
         const bool bends = model.terms.template get<Bending>().has_value();
         if (bends || model.terms.template get<Air>()) pushed = FieldBuffer<Real>(model.grid.columns, model.grid.rows);
         if (bends) bent = FieldBuffer<Real>(model.grid.columns, model.grid.rows), halo_rows = bending_reach;
@@ -46,6 +46,7 @@ struct Body {
     // What terms push each mass with, and of that what bending stores; empty but with terms that see where masses are.
     FieldBuffer<Real> pushed, bent;
     FieldBuffer<Real> before;  // positions before the step; empty but where masses may touch something
+    AddedAir<Real> added;
     int halo_rows = SpringForce<Real, true>::reach;
     Array<RowSums> sums;  // not std's: its functions would be shared between instruction sets (isa.hpp)
 };
@@ -80,18 +81,20 @@ public:
     }
 
     /// Takes the steps from <= n < to of the clock; in step `accounted` the work of every force is summed. `meet`
-    /// returns when every block has come there; after_the_move(step) is called by every block between two meetings.
+    /// returns when every block has come there; the air that moves along is looked at in each step whose number is a
+    /// multiple of `held`, if that is not 0; after_the_move(step) is called by every block between two meetings.
     /// `solves` gets what solving took; null but for one block.
     template <class Meet, class AfterTheMove>
-    void advance(const Clock& clock, long long from, long long to, long long accounted, Meet&& meet,
+    void advance(const Clock& clock, long long from, long long to, long long accounted, int held, Meet&& meet,
                  AfterTheMove&& after_the_move, Solves* solves) {
         const auto& k = body_.kernels;
-        if (k.step) return solve(clock, from, to, accounted, meet, after_the_move, solves);
+        if (k.step) return solve(clock, from, to, accounted, held, meet, after_the_move, solves);
         Pass<Real> p = pass(clock.dt);
         int parity = 0;
         hand_over(parity);
         meet();
         for (long long step = from; step < to; ++step) {
+            if (held > 0 && step % held == 0) look_at_added_air(clock.at(step), held * clock.dt, false, meet);
             const auto* kernels = step == accounted ? k.advance_accounted : k.advance;
             remember();
             for (int n = 0; n < k.passes; ++n) {
@@ -117,12 +120,32 @@ public:
         kernel(p);
     }
 
+    /// What the air that moves along does from time `now` (s) on, for `ahead` (s); is_first: nothing is known of
+    /// before. Nothing may move until every block is done.
+    template <class Meet>
+    void look_at_added_air(double now, double ahead, bool is_first, Meet&& meet) {
+        Pass<Real> p = pass(0.0);
+        p.time = now;
+        p.added.ahead = static_cast<Real>(ahead), p.added.is_first = is_first;
+        ahead_ = ahead;
+        p.accelerate = body_.model.varies_by_row() ? &find_gust_of_row : nullptr;
+        if (!p.accelerate) find_gust(first_, now);
+        for (int n = 0; n < 3; ++n) {
+            if (n > 0) meet();
+            call(p, body_.kernels.seen_position, body_.kernels.seen_velocity, {}, body_.kernels.added_air[n]);
+        }
+    }
+
     /// How fast the air brakes masses at time `now` (s), into the rows' sums.
     void look_at_air(double now) {
         Pass<Real> p = pass(0.0);
         look_beyond(p);
         p.time = now;
         begin_terms(p);
+        if (body_.model.added_air()) {  // then terms do not ask for the wind
+            p.accelerate = body_.model.varies_by_row() ? &find_wind_of_row : nullptr;
+            if (!p.accelerate) find_wind(first_, now);
+        }
         call(p, 0, 1, p.out, body_.kernels.air_rate);
     }
 
@@ -174,7 +197,7 @@ public:
 private:
     /// Whole steps: nothing that neighbours look at changes but between two meetings, so they look at it where it is.
     template <class Meet, class AfterTheMove>
-    void solve(const Clock& clock, long long from, long long to, long long accounted, Meet&& meet,
+    void solve(const Clock& clock, long long from, long long to, long long accounted, int held, Meet&& meet,
                AfterTheMove&& after_the_move, Solves* solves) {
         Pass<Real> p = pass(clock.dt);
         look_beyond(p);
@@ -183,6 +206,7 @@ private:
         p.solves = solves;
         p.all_free = body_.model.is_free();
         for (long long step = from; step < to; ++step) {
+            if (held > 0 && step % held == 0) look_at_added_air(clock.at(step), held * clock.dt, false, meet);
             p.time = clock.at(step) + body_.kernels.stage_time[0] * clock.dt;
             p.accounted = step == accounted;
             push(p, 0, 1, p.accounted);
@@ -258,6 +282,7 @@ private:
         p.dt = static_cast<Real>(dt);
         p.half_kick = body_.kernels.starts_with_forces ? static_cast<Real>(0.5 * dt) : Real(0);
         if (const Air* const air = body_.model.air()) p.air = air->template strength<Real>();
+        p.added = body_.added.view(body_.model.grid);
         const auto b = body_.model.bending_strength();
         p.bending = {static_cast<Real>(b.k_fly), static_cast<Real>(b.k_hoist), static_cast<Real>(b.c_fly),
                      static_cast<Real>(b.c_hoist)};
@@ -276,7 +301,7 @@ private:
             p.acceleration = std::as_const(body_.pushed).view();
             p.accelerate = nullptr;
         };
-        if (const Air* const air = body_.model.air())
+        if (const Air* const air = body_.model.air(); air && !body_.model.added_air())
             gather(body_.kernels.air[air->pressure.has_value()][air->skin.has_value()]);
         if (const Bending* const bending = body_.model.bending()) {
             p.bent = accounted ? body_.bent.view() : Field<Real>{};
@@ -312,13 +337,32 @@ private:
         body_.model.terms.for_each([&](const auto& term) {
             if constexpr (requires { term.accelerate(pushed, time, a); }) term.accelerate(pushed, time, a);
         });
-        if (body_.model.air()) find_wind(row, time);
+        if (body_.model.air() && !body_.model.added_air()) find_wind(row, time);
     }
     void find_wind(int row, double time) {
         auto w = wind_.view();
         for (Real* component : {w.x, w.y, w.z}) std::fill_n(component, body_.rows.width(), Real(0));
         const PushedRow<Real> carried{body_.model.grid, row, body_.rows.width(), ones_.data()};
         if (const auto& wind = body_.model.terms.template get<Wind>()) wind->accelerate(carried, time, w);
+    }
+    /// The wind in the middle of the time ahead, and in place of what terms push with how fast it changes (m/s2).
+    void find_gust(int row, double time) {
+        find_wind(row, time + ahead_);
+        acceleration_.take(wind_);
+        find_wind(row, time);
+        for (int c = 0; c < 3; ++c)
+            for (int i = 0; i < body_.rows.width(); ++i) {
+                Real &w = wind_.component(c)[i], &a = acceleration_.component(c)[i];
+                const Real change = a - w;
+                w += Real(0.5) * change;
+                a = ahead_ > 0.0 ? change / static_cast<Real>(ahead_) : Real(0);
+            }
+    }
+    static void find_gust_of_row(void* block, int row, double time) {
+        static_cast<Block*>(block)->find_gust(row, time);
+    }
+    static void find_wind_of_row(void* block, int row, double time) {
+        static_cast<Block*>(block)->find_wind(row, time);
     }
     static void accelerate_row(void* block, int row, double time) { static_cast<Block*>(block)->accelerate(row, time); }
 
@@ -346,6 +390,7 @@ private:
     WaitingBuffer<Real> waiting_;
     FieldBuffer<Real> acceleration_, wind_;  // one row
     FieldBuffer<Real> resistances_;          // of bending
+    double ahead_ = 0.0;                     // s, for which a look at the air that moves along is held
     Array<Real> ones_;
     std::vector<FieldBuffer<Real>> above_[2], below_[2];  // of even and odd passes; empty at the cloth's border
 };

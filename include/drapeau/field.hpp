@@ -62,6 +62,29 @@ struct AirStrength {
     DRAPEAU_INLINE bool is_felt() const { return pressure > Real(0) || skin > Real(0); }
 };
 
+/// The air that moves along with the cloth (extra/added_air.hpp). Null where none does.
+template <class Real>
+struct AddedAirRows {
+    // Held from look to look, of every mass: what the air pushes it with (m/s2), the normal times the root of the
+    // air's share in its inertia, beta, and its velocity when last looked at (m/s).
+    Field<Real> push, direction, previous;
+    // A look's own, of every mass, each row with a margin on either side: its place, its velocity through the air, and
+    // of that the part along the normal, in a field with the same stride.
+    Field<Real> place, relative;
+    Real* momentum;
+    const Real* mass;  // mA of each row, kg/m2
+    // Of each column: the shares of the pairs to the right and to the left, of what is shed, of the width across, and
+    // the length that differences span (m).
+    const Real *right, *left, *ends, *across, *span;
+    Real pitch_x, pitch_y;  // m
+    int columns, margin;
+    int reach_x, reach_y;  // masses, to either side
+    Real ahead;            // s, for which a look is held
+    bool is_first;         // nothing is known of before
+
+    DRAPEAU_INLINE bool is_felt() const { return push.x != nullptr; }
+};
+
 /// How three masses in a line resist being bent, along the fly and down the hoist (terms/bending.hpp).
 template <class Real>
 struct BendingStrength {
@@ -130,6 +153,7 @@ struct Pass {
     void* terms;
     AirStrength<Real> air;
     BendingStrength<Real> bending;
+    AddedAirRows<Real> added;
     Field<Real> resistances;  // rows that its kernels keep
     // m/s2, part of `acceleration`: of what bending stores. Null where nothing bends, and in passes that neither
     // account nor measure.
@@ -171,6 +195,8 @@ struct Kernels {
     // friction, what it pushes with added to `acceleration`, into `out`; how fast it brakes, into the rows' sums.
     void (*air[2][2])(const Pass<Real>&);
     void (*air_rate)(const Pass<Real>&);
+    // Of the air that moves along, from the same: the passes of a look, with meetings between (extra/added_air.hpp).
+    void (*added_air[3])(const Pass<Real>&);
     // Of bending, from the same (bending_rows.hpp), added to `acceleration`, into `out`: by whether it brakes and
     // whether it is accounted.
     void (*bending[2][2])(const Pass<Real>&);

@@ -171,6 +171,8 @@ public:
         const bool has_faces = grid.columns > 1 && grid.rows > 1;
         return listed && listed->is_felt() && has_faces ? &*listed : nullptr;
     }
+    /// The same if air moves along with the cloth.
+    const Air* added_air() const { return air() && air()->moves_along() ? air() : nullptr; }
     /// Bending, if it is listed and three masses stand in a line.
     const Bending* bending() const {
         const auto& listed = terms.get<Bending>();

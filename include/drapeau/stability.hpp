@@ -5,6 +5,7 @@
 // energy well below it (energy.hpp watches for that).
 #pragma once
 
+#include "drapeau/extra/added_air.hpp"
 #include "drapeau/methods/list.hpp"
 #include "drapeau/model.hpp"
 
@@ -14,9 +15,15 @@
 namespace drapeau {
 inline namespace DRAPEAU_ISA {
 
+/// What the air that moves along allows, whatever the method.
+inline StableStep added_air_step(const Model& model, double hold = longest_hold) {
+    const double rate = added_air_rate(model);
+    return rate > 0.0 ? StableStep::of_seconds(hold / rate) : StableStep::unlimited();
+}
+
 template <class M>
 StableStep stable_step(const M&, const Model& model) {
-    StableStep step = StableStep::unlimited();
+    StableStep step = added_air_step(model);
     for (const auto& oscillator : model.bounds()) step = smaller(step, M::stable_step(oscillator));
     return step;
 }
@@ -44,7 +51,8 @@ inline double automatic_share(const Model& model) {
 template <class M>
 double automatic_step(const M& method, const Model& model, double lowered = 1.0) {
     const double share = lowered * M::automatic * automatic_share(model);
-    double step = std::min(share * stable_step(method, model).seconds(), lowered * M::coarsest_step);
+    double step = std::min({share * stable_step(method, model).seconds(), lowered * M::coarsest_step,
+                            lowered * added_air_step(model, usual_hold).seconds()});
     if constexpr (requires(Oscillator o) { M::smooth_step(o); })
         for (const auto& oscillator : model.bounds())
             step = std::min(step, lowered * M::smooth_step(oscillator).seconds());

@@ -63,6 +63,8 @@ public:
     void refill(const Model& model) {
         body_.model = model;
         body_.rows.refill(model);
+        body_.added.refill(model);
+        is_air_held_ = false;
     }
 
     /// Position and velocity at the same time (s); held masses get no velocity.
@@ -86,28 +88,26 @@ public:
     Report advance(const Clock& clock, long long first, long long last, long long accounted = no_step) {
         if (started_dt_ != clock.dt) restart(clock.at(first), clock.dt);
         Report report;
+        const int held = steps_held(model(), clock.dt);
         const bool accounts = accounted >= first && accounted < last;
         if (accounts) std::fill(body_.sums.begin(), body_.sums.end(), RowSums{});
-        const auto meet = [&] {
-            if (team_) team_->meet();
-        };
         run([&](int n) {
             blocks_[n]->advance(
-                clock, first, last, accounted, meet,
+                clock, first, last, accounted, held, meet_,
                 [&](long long step) {
                     const bool counts = step == accounted && (model().is_limited() || model().touches());
                     const double now = clock.at(step + 1);
                     if (model().is_limited() || counts) {
-                        meet();
+                        meet_();
                         if (n == 0 && counts) report.work.passes -= measure_alone(now).balance();
                         if (n == 0) limit(clock.dt, report.limit);
-                        meet();
+                        meet_();
                     }
                     if (model().touches()) blocks_[n]->touch(clock.dt);
                     if (!counts) return;
-                    meet();
+                    meet_();
                     if (n == 0) report.work.passes += measure_alone(now).balance();
-                    meet();
+                    meet_();
                 },
                 n == 0 ? &report.solves : nullptr);
         });
@@ -127,12 +127,14 @@ public:
     /// Energy and stretch at time `now` (s), the velocity as stored: for staggered methods kinetic energy is
     /// sum m v-.v+ / 2, which is constant in linear motion at any stable step.
     Measurement measure(double now) {
+        look_at_added_air(now);
         run([&](int n) { blocks_[n]->look(now, started_dt_, body_.kernels.measure, {}); });
         return sum_up();
     }
 
     /// The acceleration (m/s2) of every mass at time `now` (s), but for drag and friction.
     void evaluate(double now, FieldBuffer<Real>& a) {
+        look_at_added_air(now);
         run([&](int n) { blocks_[n]->look(now, started_dt_, body_.kernels.evaluate, a.view()); });
     }
 
@@ -163,16 +165,21 @@ public:
 
     /// Everything that the steps to come depend on.
     struct Checkpoint {
-        std::vector<FieldBuffer<Real>> fields;
+        std::vector<FieldBuffer<Real>> fields, held;
         double started_dt = 0.0;
+        bool is_air_held = false;
     };
     void save(Checkpoint& into) const {
         into.fields = body_.fields;
         into.started_dt = started_dt_;
+        if (model().added_air()) into.held.assign(std::begin(body_.added.held), std::end(body_.added.held));
+        into.is_air_held = is_air_held_;
     }
     void restore(const Checkpoint& from) {
         for (std::size_t f = 0; f < body_.fields.size(); ++f) body_.fields[f] = from.fields[f];
         started_dt_ = from.started_dt;
+        std::copy(from.held.begin(), from.held.end(), std::begin(body_.added.held));
+        is_air_held_ = from.is_air_held;
     }
 
     /// Lets the method start again, with another step or from a changed state.
@@ -207,6 +214,14 @@ private:
         team_->run([&](int n) { region(n); });
     }
 
+    /// Looks at the air that moves along, unless what it does is held already.
+    void look_at_added_air(double now) {
+        if (is_air_held_ || !model().added_air()) return;
+        const double ahead = steps_held(model(), started_dt_) * started_dt_;
+        run([&](int n) { blocks_[n]->look_at_added_air(now, ahead, true, meet_); });
+        is_air_held_ = true;
+    }
+
     /// The passes over the cloth as a whole, by one member: positions are corrected, then velocities follow, v += dx/dt:
     /// a mass that was moved over has the velocity it was moved with.
     void limit(double dt, PassReport& report) {
@@ -232,6 +247,8 @@ private:
     void restart(double now, double dt) {
         synchronise(now);
         started_dt_ = dt;
+        is_air_held_ = false;
+        look_at_added_air(now);
         FieldBuffer<Real> a(model().grid.columns, model().grid.rows);
         if (body_.kernels.starts_with_forces) evaluate(now, a);
         each_mass([&](const Field<Real>* fields, std::ptrdiff_t n, int i, int j) {
@@ -245,6 +262,7 @@ private:
         auto& seen = body_.fields[body_.kernels.seen_velocity];
         if (&seen != &velocity_) seen = velocity_;
         started_dt_ = 0.0;
+        is_air_held_ = false;
     }
 
     FieldBuffer<Real> synchronised_velocity(double now) {
@@ -303,7 +321,15 @@ private:
     std::vector<std::unique_ptr<Block<Real>>> blocks_;
     Block<Real> whole_;  // all rows, for what one member does alone
     std::unique_ptr<Team> team_;
-    double started_dt_ = 0.0;  // s, the step the method was started for; 0: position and velocity are synchronised
+    struct Meet {
+        const std::unique_ptr<Team>& team;
+        void operator()() const {
+            if (team) team->meet();
+        }
+    };
+    Meet meet_{team_};
+    bool is_air_held_ = false;  // what the air that moves along does is known
+    double started_dt_ = 0.0;   // s, the step the method was started for; 0: position and velocity are synchronised
 };
 
 }  // namespace DRAPEAU_ISA

@@ -20,7 +20,7 @@ std::optional<StableStep> Simulation::Run::live_limit() const {
     if (!mode) return {};
     return with_method(scene.time.method, [&]<class M>(const M& method) -> std::optional<StableStep> {
         if constexpr (has_live_limit<M>)
-            return exact_step(method, *mode);
+            return smaller(exact_step(method, *mode), added_air_step(engine->model()));
         else
             return {};
     });
@@ -42,10 +42,10 @@ std::string Simulation::Run::limit_remark() const {
     });
     const double share = dt / live->seconds(), steps = std::log(10.0) / std::log(growth);
     const std::string its_limit = quantity(live->seconds(), "s");
-    return fmt::format("the step is {}: noise grows tenfold every {} steps",
-                       share < 2.0 ? rounded(100.0 * (share - 1.0), 2) + " % past the limit of " + its_limit
-                                   : rounded(share, 3) + " times the limit of " + its_limit,
-                       rounded(std::max(1.0, steps), 2));
+    const std::string past = share < 2.0 ? rounded(100.0 * (share - 1.0), 2) + " % past the limit of " + its_limit
+                                         : rounded(share, 3) + " times the limit of " + its_limit;
+    if (!(growth > 1.0)) return fmt::format("the step is {} that added air stands", past);
+    return fmt::format("the step is {}: noise grows tenfold every {} steps", past, rounded(std::max(1.0, steps), 2));
 }
 
 std::string Simulation::method_remark() const {

@@ -59,6 +59,7 @@ std::string limit_of_step(Method method, const Model& model) {
             alone({.mass = o.mass, .bending = o.bending}, "bending stiffness");
             alone({.mass = o.mass, .bending_damping = o.bending_damping}, "bending damping");
         }
+        if (added_air_step(model).seconds() < least.first) return std::string("added air");
         return least.second;
     });
 }

@@ -80,11 +80,13 @@ std::string SceneFault::text() const {
     return name + (value.empty() ? "" : " = " + one_line(value, 60)) + ": " + allowed;
 }
 
-double memory_of(double masses, Precision precision) {
-    // What a method keeps at most, what terms push with and what contacts remember, the states that a diverged run may return to and is
-    // explained from, the pictures' snapshots and a state handed out; and to measure the error (error_estimate.hpp) as
-    // much as a method keeps, in double, a state to begin from, three ends and a state handed out.
-    constexpr double numbers_kept = 3.0 * (max_fields + 2) + 4 * 6;
+double memory_of(double masses, Precision precision, bool has_added_air) {
+    // What a method keeps at most, what terms push with and what contacts remember, the states that a diverged run may
+    // return to and is explained from, the pictures' snapshots and a state handed out; and to measure the error
+    // (error_estimate.hpp) as much as a method keeps, in double, a state to begin from, three ends and a state handed
+    // out.
+    const double added_air = has_added_air ? 16 + 4 * 9 : 0;  // what it works with and holds; the latter is kept too
+    const double numbers_kept = 3.0 * (max_fields + 2) + 4 * 6 + added_air;
     constexpr double snapshots = 3 * 3 * sizeof(float);
     constexpr double handed_out = 6 * sizeof(double);
     const double number = precision == Precision::double_precision ? sizeof(double) : sizeof(float);
@@ -102,7 +104,8 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
     const std::string longer_side = flag.columns >= flag.rows ? "columns" : "rows";
     const std::string longer_count = std::to_string(std::max(flag.columns, flag.rows));
     const double masses = std::max(1.0, 1.0 * flag.columns) * std::max(1.0, 1.0 * flag.rows);
-    const double memory = memory_of(masses, scene.time.precision);
+    const auto& air = scene.terms.get<Air>();
+    const double memory = memory_of(masses, scene.time.precision, air && air->added);
     std::string too_much;
     if (memory > memory_allowed()) {
         too_much = "the grid would take " + memory_text(memory) + " of memory and " + memory_text(memory_allowed()) +
@@ -123,8 +126,7 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
                           "goes with time.dt = \"auto\" only, and the step is given"};
     }
     if (auto fault = find_fault_of_cells(scene)) return fault;
-    const auto& air = scene.terms.get<Air>();
-    if (scene.wind() && !scene.drag() && !(air && (air->pressure || air->skin))) {
+    if (scene.wind() && !scene.drag() && !(air && (air->pressure || air->skin || air->added))) {
         const std::string drag = scene.fabric ? "fabric.drag_per_area" : "springs.drag";
         return SceneFault{"wind", "", "",
                           "nothing would feel it; give " + drag + " or [air] too, or leave the wind out"};

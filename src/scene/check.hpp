@@ -25,6 +25,6 @@ inline constexpr const char* two_materials =
 std::optional<SceneFault> find_fault(const Scene& scene);
 
 /// Bytes a run of this many masses takes, all its copies included.
-double memory_of(double masses, Precision precision);
+double memory_of(double masses, Precision precision, bool has_added_air = false);
 
 }  // namespace drapeau

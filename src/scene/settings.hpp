@@ -155,6 +155,14 @@ inline constexpr std::tuple keys_of<Air>{
         About{"Skin friction", "", "drag coefficient of the air along a face (C_f)",
               "A higher one drags the flag taut and calms its ripples. Off: none is computed."},
         Range{0, 100}, Control{{0, 0.3}, false, "%.3f", 1, "", 0.05}, "off"},
+    Key{"added", &Air::added,
+        About{"Added air", "", "the air that moves along with the cloth",
+              "It outweighs the cloth and makes it flutter in steady wind. It is found once in several steps. Bending "
+              "with damping keeps ripples as fine as the grid down."}},
+    Key{"cutoff", &Air::cutoff,
+        About{"Cutoff", "m", "half the length of the shortest waves that carry air along; of added air alone",
+              "A longer one lets only longer waves flutter."},
+        Range{1e-3, 1e3}, Control{{0.02, 0.5}, false, "%.2f"}},
 };
 
 template <>

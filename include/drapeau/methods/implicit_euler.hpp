@@ -80,6 +80,7 @@ private:
             off_block
         };
         static constexpr int count = ImplicitEuler::fields<damped>;
+        using Row = PassRow<Real, count>;
 
     public:
         explicit Solver(const Pass<Real>& pass) : pass_(pass), dt_(pass.dt) {}
@@ -141,28 +142,28 @@ private:
         template <class Visit>
         void each(Visit&& visit) const {
             for (int j = pass_.first; j < pass_.last; ++j) {
-                const PassRow<Real, count> row(pass_, j);
+                const Row row(pass_, j);
                 for (int i = 0; i < pass_.width; i += L::width) visit(Masses<V>{row.field, i}, pass_.constants[j]);
             }
         }
 
-        /// Sweeps the springs of this member's rows. visit(masses, pushed, constants, value, sums) gets what the
-        /// springs come to at each register, and what terms push its row with, and adds to three sums; what it writes
-        /// it does not read (a halo's rows go before a member's first and are overwritten).
+        /// Sweeps the springs of this member's rows. visit(masses, row, constants, value, sums) gets what the springs
+        /// come to at each register of a row and adds to three sums; what it writes it does not read (a halo's rows go
+        /// before a member's first and are overwritten).
         template <class Operation, int seen_position, int seen_direction, class Visit>
         void sweep(const Operation& fresh, Visit&& visit) {
-            PassRow<Real, count> own(pass_, pass_.first);
+            Row own(pass_, pass_.first);
             V sums[3]{};
             for_rows<V, Operation, diagonals, count, seen_position, seen_direction>(
                 pass_,
                 [&](const auto&, const RowConstants<Real>& constants, int i, const typename Operation::Value& value)
                     DRAPEAU_INLINE_LAMBDA {
-                        visit(Masses<V>{own.field, i}, own.pushed, constants, value, sums);
+                        visit(Masses<V>{own.field, i}, own, constants, value, sums);
                     },
                 [&](int j, const auto&) DRAPEAU_INLINE_LAMBDA {
                     if (j >= pass_.first)
                         for (int n = 0; n < 3; ++n) pass_.sums[j].products[bank_][n] = sum_of(sums[n]);
-                    if (j >= pass_.first && j + 1 < pass_.last) own = PassRow<Real, count>(pass_, j + 1);
+                    if (j >= pass_.first && j + 1 < pass_.last) own = Row(pass_, j + 1);
                     for (V& sum : sums) sum = V{};
                 },
                 fresh);
@@ -180,7 +181,7 @@ private:
         template <class Visit>
         double sum(Visit&& visit) {
             for (int j = pass_.first; j < pass_.last; ++j) {
-                const PassRow<Real, count> row(pass_, j);
+                const Row row(pass_, j);
                 V sum{};
                 for (int i = 0; i < pass_.width; i += L::width)
                     sum = sum + visit(Masses<V>{row.field, i}, pass_.constants[j]);
@@ -194,14 +195,17 @@ private:
         double find_residual() {
             meet();
             sweep<SpringForce<V, damped>, end_position, end_velocity>(
-                {}, [&](const Masses<V>& mass, const Field<const Real>& pushed, const RowConstants<Real>& constants,
+                {}, [&](const Masses<V>& mass, const Row& row, const RowConstants<Real>& constants,
                         const Vec3<V>& force, V* sums) DRAPEAU_INLINE_LAMBDA {
-                    const V w = L::load(constants.inverse_mass + mass.i), m = L::load(constants.mass + mass.i);
+                    const V m = L::load(constants.mass + mass.i);
                     const auto v = mass.get(velocity), u = mass.get(end_velocity);
-                    const auto a = resisted(acceleration_of(force, w, pushed.template at<V>(mass.i)),
-                                            L::load(constants.rate + mass.i), u);
+                    const auto a =
+                        resisted(acceleration_of<end_velocity>(force, row, constants, static_cast<int>(mass.i)),
+                                 L::load(constants.rate + mass.i), u);
                     const auto lacking = v - u + dt_ * a;
-                    mass.set(residual, m * lacking);
+                    auto inert = m * lacking;
+                    if (row.added_direction.x) inert = inert + of_air(row, mass.i, inert);
+                    mass.set(residual, inert);
                     sums[0] = sums[0] + m * dot(lacking, lacking);
                     sums[1] = sums[1] + m * dot(u - v, u - v);
                     sums[2] = sums[2] + m;
@@ -213,10 +217,11 @@ private:
         }
 
         /// The residual once more, after what it is in all has been given to all masses alike, if none is held: no
-        /// spring feels that, and it keeps the momentum, which conjugate gradients that end early would not.
+        /// spring feels that, and it keeps the momentum, which conjugate gradients that end early would not. (Air that
+        /// moves along takes momentum anyway.)
         double carried_along() {
             const double left = find_residual();
-            if (!pass_.all_free) return left;
+            if (!pass_.all_free || pass_.added.is_felt()) return left;
             Vec3<double> all{};
             const auto total = [&](auto&& component) {
                 return sum(
@@ -244,11 +249,17 @@ private:
         bool correct(bool positive) {
             const Weighted<V, damped> weights{dt_, positive};
             sweep<SpringBlock<V, damped>, end_position, end_velocity>(
-                {{}, weights}, [&](const Masses<V>& mass, const auto&, const RowConstants<Real>& constants,
+                {{}, weights}, [&](const Masses<V>& mass, const Row& row, const RowConstants<Real>& constants,
                                    Symmetric<V> all, V*) DRAPEAU_INLINE_LAMBDA {
                     const V w = L::load(constants.inverse_mass + mass.i);
                     const V own = inertia(constants, mass.i);
                     all.diagonal = all.diagonal + Vec3<V>{own, own, own};
+                    if (row.added_direction.x) {
+                        const V m = L::load(constants.mass + mass.i);
+                        const auto g = added_inertia<V>(row.added_direction, mass.i);
+                        all = all + Symmetric<V>{m * Vec3<V>{g.x * g.x, g.y * g.y, g.z * g.z},
+                                                 m * Vec3<V>{g.y * g.z, g.z * g.x, g.x * g.y}};
+                    }
                     const auto inverse = all.inverse();
                     mass.set(block, free(w, inverse.diagonal));
                     mass.set(off_block, free(w, inverse.off));
@@ -263,11 +274,13 @@ private:
             for (int n = 0; n < most_iterations && size > enough; ++n) {
                 ++iterations_;
                 sweep<SpringHessian<V, damped>, end_position, direction>(
-                    {{}, weights}, [&](const Masses<V>& mass, const auto&, const RowConstants<Real>& constants,
+                    {{}, weights}, [&](const Masses<V>& mass, const Row& row, const RowConstants<Real>& constants,
                                        const Vec3<V>& pull, V* sums) DRAPEAU_INLINE_LAMBDA {
                         const auto p = mass.get(direction);
-                        const auto q =
-                            free(L::load(constants.inverse_mass + mass.i), inertia(constants, mass.i) * p - pull);
+                        const V m = L::load(constants.mass + mass.i);
+                        auto q = inertia(constants, mass.i) * p - pull;
+                        if (row.added_direction.x) q = q + of_air(row, mass.i, m * p);
+                        q = free(L::load(constants.inverse_mass + mass.i), q);
                         mass.set(product, q);
                         sums[0] = sums[0] + dot(p, q);
                     });
@@ -310,6 +323,11 @@ private:
             });
         }
 
+        /// What air that moves along adds to the inertia `m` times something.
+        static Vec3<V> of_air(const Row& row, std::ptrdiff_t i, const Vec3<V>& inert) {
+            const auto g = added_inertia<V>(row.added_direction, i);
+            return dot(g, inert) * g;
+        }
         V inertia(const RowConstants<Real>& constants, std::ptrdiff_t i) const {
             return L::load(constants.mass + i) * (Real(1) + dt_ * L::load(constants.rate + i));
         }

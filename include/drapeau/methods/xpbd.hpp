@@ -94,11 +94,25 @@ private:
         /// A row of masses, anybody's.
         struct Fields {
             Field<Real> field[fields<damped>];
+            Field<const Real> air;  // the direction of air that moves along; null where none does
 
-            Fields(const Pass<Real>& pass, int j) {
+            Fields(const Pass<Real>& pass, int j) : air(pass.added.direction) {
+                if (air.x) air = air.row(j);
                 for (int f = 0; f < fields<damped>; ++f) field[f] = pass.fields[f].row(j);
             }
             Vec3<V> at(int f, int i) const { return field[f].template at<V>(i); }
+            /// Moves masses of 1/w by w f: less along a normal that air moves along with.
+            void move(int i, V w, const Vec3<V>& f) const {
+                auto to = at(moved, i) + w * f;
+                if (air.x) to = to - (w * dot(air.template at<V>(i), f)) * air.template at<V>(i);
+                field[moved].set(i, to);
+            }
+            /// 1/m along d, whose length is 1/r.
+            V lightness_along(const Vec3<V>& d, V r, int i, V w) const {
+                if (!air.x) return w;
+                const V s = r * dot(air.template at<V>(i), d);
+                return w * (Real(1) - s * s);
+            }
         };
 
         void meet() const { pass_.meet(pass_.team); }
@@ -116,10 +130,9 @@ private:
             if (pass_.accelerate) pass_.accelerate(pass_.terms, j, pass_.time);
             const Fields here(pass_, j);
             const RowConstants<Real>& constants = pass_.constants[j];
-            const Field<const Real> pushed = pass_.acceleration.row(j);
+            const PassRow<Real, fields<damped>> row(pass_, j);
             for (int i = 0; i < pass_.width; i += L::width) {
-                const auto a =
-                    acceleration_of(Vec3<V>{}, L::load(constants.inverse_mass + i), pushed.template at<V>(i));
+                const auto a = acceleration_of<velocity>(Vec3<V>{}, row, constants, i);
                 here.field[moved].set(i, dt_ * without_springs(here.at(velocity, i), L::load(constants.rate + i), a));
             }
         }
@@ -137,7 +150,8 @@ private:
                 tension = tension + (r * r) * (c * dot(grown, d));
                 resists = resists + c;
             }
-            return (tension / (Real(1) + resists * (w_a + w_b))) * d;
+            const V lightness = here.lightness_along(d, r, a, w_a) + there.lightness_along(d, r, b, w_b);
+            return (tension / (Real(1) + resists * lightness)) * d;
         }
 
         /// The springs from even columns (parity 0) or odd ones to the right.
@@ -148,7 +162,7 @@ private:
             for (int i = 0; i < pass_.width; i += L::width) {
                 const V w = lightness(constants, i), w_right = lightness(constants, i + 1);
                 const auto f = every_other((i + parity) % 2) * pull(constants.fly, i, here, i, w, here, i + 1, w_right);
-                here.field[moved].set(i, here.at(moved, i) + w * (f - shifted(before, f)));
+                here.move(i, w, f - shifted(before, f));
                 before = f;
             }
         }
@@ -173,8 +187,8 @@ private:
                     const int a = i + a_shift, b = i + b_shift;
                     const V w_a = lightness(constants, a), w_b = lightness(constants_below, b);
                     const auto f = pull(springs, i, here, a, w_a, below, b, w_b);
-                    here.field[moved].set(a, here.at(moved, a) + w_a * f);
-                    below.field[moved].set(b, below.at(moved, b) - w_b * f);
+                    here.move(a, w_a, f);
+                    below.move(b, w_b, Vec3<V>{} - f);
                 }
             };
             group(constants.hoist, 0, 0);

@@ -24,6 +24,8 @@ struct Air {
     double density = 1.2;                  // rho, kg/m3; denser air pushes and brakes more
     std::optional<double> pressure = 1.2;  // C_d; absent: no pressure
     std::optional<double> skin = 0.05;     // C_f; absent: no skin friction. More of it calms ripples
+    bool added = false;                    // the air that moves along with the cloth (extra/added_air.hpp): flutter
+    double cutoff = 0.15;                  // m; waves shorter than about twice this carry no air along
 
     template <class Real>
     AirStrength<Real> strength() const {
@@ -32,7 +34,8 @@ struct Air {
         };
         return {half(pressure), half(skin)};
     }
-    bool is_felt() const { return strength<double>().is_felt(); }
+    bool moves_along() const { return added && density > 0.0; }
+    bool is_felt() const { return strength<double>().is_felt() || moves_along(); }
 
     /// The greatest rate (1/s) at which it brakes a node of `area` (m2/kg) that it passes at `speed` (m/s): the
     /// derivative of the force by the velocity, over the mass. Along the normal only pressure brakes, along the face
@@ -42,8 +45,9 @@ struct Air {
         return 2.0 * std::fmax(s.pressure, s.skin) * area * speed;
     }
     /// The greatest power (W) that it brings into a node of so much area (m2) in a wind w (m/s): |u| u (w - u) is
-    /// greatest at u = 2w/3.
+    /// greatest at u = 2w/3. Air that moves along may give back at once what it took.
     double most_power(double area, double wind) const {
+        if (moves_along()) return INFINITY;
         const auto s = strength<double>();
         return (s.pressure + s.skin) * area * (4.0 / 27.0) * wind * wind * wind;
     }
