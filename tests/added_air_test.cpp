@@ -300,8 +300,9 @@ TEST_CASE("Of the energy of cloth and air only what edges shed is lost", "[physi
                 for (std::size_t k = 0; k < x.size(); ++k) there[k] += t * v[k], u[k] += t * a[k];
                 const PlainAir plain(model, there, u);
                 double sum = 0.0;
+                const int width = model.grid.columns;
                 for (int k = 0; k < masses_of(model); ++k)
-                    sum += 0.5 * model.mass(k % columns, k / columns) * dot(u[k], u[k]) +
+                    sum += 0.5 * model.mass(k % width, k / width) * dot(u[k], u[k]) +
                            0.5 * plain.mass(k) * plain.p[k] * plain.p[k];
                 return sum;
             };

@@ -282,7 +282,7 @@ private:
         p.dt = static_cast<Real>(dt);
         p.half_kick = body_.kernels.starts_with_forces ? static_cast<Real>(0.5 * dt) : Real(0);
         if (const Air* const air = body_.model.air()) p.air = air->template strength<Real>();
-        p.added = body_.added.view(body_.model.grid);
+        p.added = body_.added.rows(body_.model.grid);
         const auto b = body_.model.bending_strength();
         p.bending = {static_cast<Real>(b.k_fly), static_cast<Real>(b.k_hoist), static_cast<Real>(b.c_fly),
                      static_cast<Real>(b.c_hoist)};

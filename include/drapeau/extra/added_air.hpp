@@ -2,9 +2,10 @@
 // cloth flutter in steady wind. Lighthill's elongated-body theory in a form that holds no more energy than it is given,
 // without the waves shorter than a cutoff l: these carry less air along than the theory says.
 //
-// With w the wind, v* the cloth's velocity (half-way to the next look), n the normal over offsets of r = round(l/h)
-// masses along the fly and down the hoist, d1 and d2 these differences of x, S = |d1 x d2|, p = n.(v* - w) and mA the
-// added mass per area, a mass of area A feels q n besides the pressure and friction of terms/air.hpp,
+// With w the wind, x and v* place and velocity half-way to the next look (as they seem now), d1 and d2 the differences
+// of x over r = round(l/h) masses to either side along the fly and down the hoist, n their normal, S = |d1 x d2|, D1 v*
+// and D2 v* the same differences of v*, p = n.(v* - w) and mA the added mass per area, a mass of area A feels q n
+// besides the pressure and friction of terms/air.hpp,
 //
 //   q = mA A n.dw/dt + (mA A/S) { [n.D1 v*] [(d2 x n).(v* - w)] + [n.D2 v*] [(n x d1).(v* - w)] }
 //       - sum over the masses b that are r away of (mA W/4r) [-e.((v* - w) + (v* - w)_b)] p_b
@@ -86,6 +87,17 @@ inline int steps_held(const Model& model, double dt) {
     return static_cast<int>(std::clamp(1.0 / (dt * std::max({flow / usual_hold, 2.0 * braking, bending})), 1.0, most));
 }
 
+/// Of masses a < b along a line that ends with `last`, r apart: the share of the width across over r, 0 where one is
+/// missing.
+inline double pair_share(int a, int b, int last, int r) {
+    if (a < 0 || b > last) return 0.0;
+    return (r > 1 && (a == 0 || b == last) ? 0.5 : 1.0) / r;
+}
+/// Likewise of what mass n sheds for those that are missing.
+inline double shed_share(int n, int last, int r) {
+    return ((n < r) + (n + r > last)) * (r > 1 && (n == 0 || n == last) ? 0.5 : 1.0) / r;
+}
+
 /// What is held, and what a look works with.
 template <class Real>
 class AddedAir {
@@ -100,11 +112,18 @@ public:
         margin_ = padded<Real>(reach_x_);
         width_ = padded<Real>(grid.columns);
         stride_ = width_ + 2 * margin_;
-        plane_ = static_cast<std::ptrdiff_t>(stride_) * grid.rows;
-        work_ = Array<Real>(static_cast<std::size_t>(7 * plane_));
+        work_ = Array<Real>(static_cast<std::size_t>(7 * stride_ * grid.rows));
         columns_ = Array<Real>(static_cast<std::size_t>(5 * width_));
         mass_ = Array<Real>(static_cast<std::size_t>(grid.rows));
-        for (int i = 0; i < width_; ++i) fill_column(grid, i);
+        const int last = grid.columns - 1, r = reach_x_;
+        for (int i = 0; i < width_; ++i) {
+            const int n = std::min(i, last);  // padding spans as much as the last column, and shares nothing
+            const double exists = i <= last ? 1.0 : 0.0;
+            const double of_column[] = {exists * pair_share(n, n + r, last, r), exists * pair_share(n - r, n, last, r),
+                                        exists * shed_share(n, last, r), n == 0 || n == last ? 0.5 : 1.0,
+                                        (std::min(n + r, last) - std::max(n - r, 0)) * grid.pitch_x};
+            for (int which = 0; which < 5; ++which) columns_[which * width_ + i] = static_cast<Real>(of_column[which]);
+        }
         refill(model);
     }
 
@@ -121,64 +140,31 @@ public:
         for (int j = 0; j < static_cast<int>(mass_.size()); ++j) mass_[j] = static_cast<Real>(added_mass(model, j));
     }
 
-    AddedAirRows<Real> view(const Grid& grid) {
-        if (plane_ == 0) return {};
-        const auto field = [&](int n) {
-            Real* const first = work_.data() + margin_ + n * plane_;
-            return Field<Real>{first, first + plane_, first + 2 * plane_, stride_};
-        };
-        Real* const columns = columns_.data();
-        return {held[0].view(),
-                held[1].view(),
-                held[2].view(),
-                field(0),
-                field(3),
-                field(6).x,
-                mass_.data(),
-                columns,
-                columns + width_,
-                columns + 2 * width_,
-                columns + 3 * width_,
-                columns + 4 * width_,
-                static_cast<Real>(grid.pitch_x),
-                static_cast<Real>(grid.pitch_y),
-                grid.columns,
-                margin_,
-                reach_x_,
-                reach_y_};
+    AddedAirRows<Real> rows(const Grid& grid) {
+        AddedAirRows<Real> all{};
+        if (stride_ == 0) return all;
+        all.push = held[0].view(), all.direction = held[1].view(), all.previous = held[2].view();
+        Real* const work = work_.data() + margin_;
+        const std::ptrdiff_t plane = stride_ * grid.rows;
+        all.place = {work, work + plane, work + 2 * plane, stride_};
+        all.relative = {work + 3 * plane, work + 4 * plane, work + 5 * plane, stride_};
+        all.momentum = work + 6 * plane;
+        all.mass = mass_.data();
+        int which = 0;
+        for (auto* column : {&all.right, &all.left, &all.ends, &all.across, &all.span})
+            *column = columns_.data() + width_ * which++;
+        all.pitch_x = static_cast<Real>(grid.pitch_x), all.pitch_y = static_cast<Real>(grid.pitch_y);
+        all.columns = grid.columns, all.margin = margin_;
+        all.reach_x = reach_x_, all.reach_y = reach_y_;
+        return all;
     }
 
     FieldBuffer<Real> held[3];  // push, direction, previous: see AddedAirRows
 
 private:
-    /// The share of a pair along a line of `count` whose ends are first and last, over the cells it spans.
-    void fill_column(const Grid& grid, int i) {
-        const int last = grid.columns - 1, r = reach_x_, n = std::min(i, last);
-        const bool exists = i <= last;
-        const auto set = [&](int which, double value) { columns_[which * width_ + i] = static_cast<Real>(value); };
-        set(0, exists ? pair_share(n, n + r, last, r) : 0.0);
-        set(1, exists ? pair_share(n - r, n, last, r) : 0.0);
-        set(2, exists ? shed_share(n, last, r) : 0.0);
-        set(3, n == 0 || n == last ? 0.5 : 1.0);
-        set(4, (std::min(n + r, last) - std::max(n - r, 0)) * grid.pitch_x);
-    }
-
-public:
-    /// Of masses a < b along a line that ends with `last`, r apart: the share of its width over r, 0 where one is
-    /// missing.
-    static double pair_share(int a, int b, int last, int r) {
-        if (a < 0 || b > last) return 0.0;
-        return (r > 1 && (a == 0 || b == last) ? 0.5 : 1.0) / r;
-    }
-    /// Likewise of what mass n sheds for those that are missing.
-    static double shed_share(int n, int last, int r) {
-        return ((n < r) + (n + r > last)) * (r > 1 && (n == 0 || n == last) ? 0.5 : 1.0) / r;
-    }
-
-private:
     Array<Real> work_, columns_, mass_;
-    std::ptrdiff_t plane_ = 0;
-    int reach_x_ = 0, reach_y_ = 0, margin_ = 0, width_ = 0, stride_ = 0;
+    std::ptrdiff_t stride_ = 0;
+    int reach_x_ = 0, reach_y_ = 0, margin_ = 0, width_ = 0;
 };
 
 /// The first of a look's three passes: x and v* - w of every mass, from fields 0 and 1 of a pass. Its wind is that of
@@ -253,7 +239,6 @@ template <class V>
 void added_air_push(const Pass<typename Lanes<V>::Real>& pass) {
     using L = Lanes<V>;
     using Real = typename L::Real;
-    using Air = AddedAir<Real>;
     const AddedAirRows<Real>& air = pass.added;
     const int last = pass.rows - 1, r = air.reach_y;
     for (int j = pass.first; j < pass.last; ++j) {
@@ -263,9 +248,9 @@ void added_air_push(const Pass<typename Lanes<V>::Real>& pass) {
         const Real* const p = air.momentum + j * air.place.stride;
         const Real span = Real(down - up) * air.pitch_y, border = j == 0 || j == last ? Real(0.5) : Real(1);
         const auto half_mass = [&](int other) { return Real(0.5) * (air.mass[j] + air.mass[other]); };
-        const Real above = half_mass(up) * static_cast<Real>(Air::pair_share(j - r, j, last, r)),
-                   below = half_mass(down) * static_cast<Real>(Air::pair_share(j, j + r, last, r)),
-                   shed = air.mass[j] * static_cast<Real>(Air::shed_share(j, last, r));
+        const Real above = half_mass(up) * static_cast<Real>(pair_share(j - r, j, last, r)),
+                   below = half_mass(down) * static_cast<Real>(pair_share(j, j + r, last, r)),
+                   shed = air.mass[j] * static_cast<Real>(shed_share(j, last, r));
         const auto fading = static_cast<Real>(smallest_face) * air.pitch_x * air.pitch_y;
         for (int i = 0; i < pass.width; i += L::width) {
             const auto x_here = x.template at<V>(i), u_here = u.template at<V>(i);
