@@ -222,8 +222,8 @@ private:
         is_air_held_ = true;
     }
 
-    /// The passes over the cloth as a whole, by one member: positions are corrected, then velocities follow, v += dx/dt:
-    /// a mass that was moved over has the velocity it was moved with.
+    /// The passes over the cloth as a whole, by one member: positions are corrected, then velocities follow, v +=
+    /// dx/dt: a mass that was moved over has the velocity it was moved with.
     void limit(double dt, PassReport& report) {
         bool changed = false;
         model().limits.for_each([&]<class Limit>(const Limit& limit) {
