@@ -234,7 +234,7 @@ struct FlagInWind {
 }  // namespace
 
 TEST_CASE("The air that moves along with a flag of 0.9 m by 1.5 m weighs 0.294 kg/m2 on average", "[physics]") {
-    for (const int rows : {2, 5, 28, 101}) {
+    for (int rows = 2; rows <= 120; ++rows) {
         const Model model(spread(4, rows, 1.5, 0.9), slack, Attach::none, Terms().add(only_added));
         double sum = 0.0;
         for (int j = 0; j < rows; ++j) {

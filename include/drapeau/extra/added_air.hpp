@@ -48,7 +48,7 @@ inline double added_mass(const Model& model, int j) {
     const Grid& grid = model.grid;
     const double half = 0.5 * (grid.rows - 1) * grid.pitch_y, fly = (grid.columns - 1) * grid.pitch_x;
     const auto area_below = [&](double y) {
-        return 0.5 * (y * std::sqrt(half * half - y * y) + half * half * std::asin(y / half));
+        return 0.5 * (y * std::sqrt(std::max(0.0, half * half - y * y)) + half * half * std::asin(y / half));
     };
     const double y = half - j * grid.pitch_y;
     const double top = std::min(half, y + 0.5 * grid.pitch_y), bottom = std::max(-half, y - 0.5 * grid.pitch_y);
