@@ -58,7 +58,7 @@ private:
 
     void find_force(int k) {
         const auto d1 = d(x_, k, 0), d2 = d(x_, k, 1);
-        const double face = std::max(length(cross(d1, d2)), 0.1 * rest(k, 0) * rest(k, 1));
+        const double face = std::max(length(cross(d1, d2)), least_turned * rest(k, 0) * rest(k, 1));
         double force = mass(k) / face *
                        (dot(n[k], d(u_, k, 0)) * dot(cross(d2, n[k]), u_[k]) +
                         dot(n[k], d(u_, k, 1)) * dot(cross(n[k], d1), u_[k]));
@@ -234,7 +234,7 @@ struct FlagInWind {
 }  // namespace
 
 TEST_CASE("The air that moves along with a flag of 0.9 m by 1.5 m weighs 0.294 kg/m2 on average", "[physics]") {
-    for (const int rows : {2, 5, 28, 101}) {
+    for (int rows = 2; rows <= 120; ++rows) {
         const Model model(spread(4, rows, 1.5, 0.9), slack, Attach::none, Terms().add(only_added));
         double sum = 0.0;
         for (int j = 0; j < rows; ++j) {
@@ -553,6 +553,21 @@ TEMPLATE_LIST_TEST_CASE("With added air the ledger stays closed", "[physics]", D
         INFO("made " << made << " J beside " << gross << " J of work");
         REQUIRE(gross > 1e-6);
         CHECK(std::abs(made) < (Method::solves ? 0.1 : 2e-3) * gross);
+    }
+}
+
+TEST_CASE("A slack hoist between grommets stays whole in the wind", "[physics]") {
+    // Its faces are squashed: what turns in them is held for long, measured by their size.
+    FlagInWind flag{.bending_damping = 200.0};
+    const Model by_hoist = flag.model();
+    const Model model(by_hoist.grid, by_hoist.springs, Attach::grommets, by_hoist.terms, {}, Borders::light);
+    auto x = flag.ripples();
+    const auto some = noise(masses_of(model), 0.004);
+    for (std::size_t n = 0; n < x.size(); ++n) x[n].z += some[n].z;
+    Sheet<float, SemiImplicitEuler> sheet(model, x, at_rest(model));
+    for (int n = 0; n < 30; ++n) {
+        sheet.advance(1e-4, 500);
+        REQUIRE(sheet.measure().kinetic_now < 3.0);  // J; the cloth at half the wind's speed has 1.9
     }
 }
 

@@ -48,7 +48,7 @@ inline double added_mass(const Model& model, int j) {
     const Grid& grid = model.grid;
     const double half = 0.5 * (grid.rows - 1) * grid.pitch_y, fly = (grid.columns - 1) * grid.pitch_x;
     const auto area_below = [&](double y) {
-        return 0.5 * (y * std::sqrt(half * half - y * y) + half * half * std::asin(y / half));
+        return 0.5 * (y * std::sqrt(std::max(0.0, half * half - y * y)) + half * half * std::asin(y / half));
     };
     const double y = half - j * grid.pitch_y;
     const double top = std::min(half, y + 0.5 * grid.pitch_y), bottom = std::max(-half, y - 0.5 * grid.pitch_y);
@@ -97,6 +97,10 @@ inline double pair_share(int a, int b, int last, int r) {
 inline double shed_share(int n, int last, int r) {
     return ((n < r) + (n + r > last)) * (r > 1 && (n == 0 || n == last) ? 0.5 : 1.0) / r;
 }
+
+/// The air of a face that is squashed to less than this share of its size at rest turns as if it had that size: smaller
+/// ones would turn it too fast for how long it is held (at 0.1 slack hoists between grommets flew apart).
+inline constexpr double least_turned = 0.3;
 
 /// What is held, and what a look works with.
 template <class Real>
@@ -265,7 +269,7 @@ void added_air_push(const Pass<typename Lanes<V>::Real>& pass) {
                 turn(air.relative.row(down).template at<V>(i), air.relative.row(up).template at<V>(i),
                      cross(face.n, face.d1));
             const V area = L::load(constants.area + i);
-            V q = (air.mass[j] * area) * (turned / L::greater(face.size, Real(0.1) * rest));
+            V q = (air.mass[j] * area) * (turned / L::greater(face.size, static_cast<Real>(least_turned) * rest));
 
             // It flows past, to and from masses in reach, and off at the edges.
             const auto carried = [&](int row, int column) DRAPEAU_INLINE_LAMBDA {
