@@ -98,7 +98,9 @@ Stage stage_of(const Scene& scene) {
 Framing framing_of(const FlagSettings& flag, const Stage& stage) {
     const Shape e = shape_of(flag);
     const float top = 0.22f * e.size;
-    const float bottom = std::min(-e.height - 0.60f * e.size, stage.ground_height - 0.08f * e.size);
+    // What lies down needs ground before it.
+    const float before = flag.attach == Attach::none && stage.ground ? 0.40f : 0.08f;
+    const float bottom = std::min(-e.height - 0.60f * e.size, stage.ground_height - before * e.size);
     return {.centre = {0.5f * e.width, 0.5f * (top + bottom), 0.0f},
             .width = e.width + 0.55f * e.size,
             .height = top - bottom,
