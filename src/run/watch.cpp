@@ -56,7 +56,7 @@ void Watch::look(Engine& engine, const Progress& now) {
     energy_ = here.total();
     potential_ = engine.model().potential(here.moment);
     counted_ = {};
-    work_.clear(), external_.clear();
+    work_.clear(), external_.clear(), passes_.clear();
     gross_ = 0.0;
     taken_in_ = looked_at_ = now.time();
     written_step_ = now.steps;
@@ -94,6 +94,7 @@ void Watch::take_in(double now, double dt) {
     const double times = (now - taken_in_) / dt;  // steps that the accounted one stands for
     work_.push_back(times * counted_.but_stored());
     external_.push_back(times * counted_.external);
+    passes_.push_back(times * std::max(0.0, counted_.passes));
     gross_ += times * counted_.gross();
     counted_ = {};
     taken_in_ = now;
@@ -105,6 +106,7 @@ void Watch::write(Engine& engine, const Progress& now) {
     came_in.value = 0.0;
     for (const double in : external_) came_in.value += std::max(0.0, in);
     came_in = possible(came_in, engine, looked_at_, now);
+    came_in.add(sum_of_samples(passes_));  // ground that is raised has any power
     const double rounding = rounding_energy(engine, now.steps - written_step_);
     look(engine, now);
     Estimate made{energy_ + potential_ - before - work.value, work.variance};
@@ -175,7 +177,7 @@ bool Watch::count_again(Engine& engine, const Progress& now, const std::atomic<b
     engine.restore(static_cast<int>(from - saved_.data()));
     Progress again = from->progress;
     const Measurement before = engine.measure(again.time());
-    double work = 0.0, came_in = 0.0;
+    double work = 0.0, came_in = 0.0, passed_in = 0.0;
     while (again.steps < now.steps) {
         double external = 0.0;  // of a batch
         for (const long long end = std::min(again.next_batch(), now.steps); again.steps < end; ++again.steps) {
@@ -183,6 +185,7 @@ bool Watch::count_again(Engine& engine, const Progress& now, const std::atomic<b
             engine.advance(again.clock, again.steps, again.steps + 1, again.steps, report, nullptr);
             work += report.work.all();
             external += report.work.external;
+            passed_in += std::max(0.0, report.work.passes);
         }
         came_in += std::max(0.0, external);
         if (!abandon || !abandon->load(std::memory_order_relaxed)) continue;
@@ -196,8 +199,9 @@ bool Watch::count_again(Engine& engine, const Progress& now, const std::atomic<b
     Estimate made{after.balance() - before.balance() - work, 0.0};
     if (made.value < 0.0 && !dissipates_) made = {};
     ledger_ = from->ledger;
-    ledger_.add(now.time(), energy_, potential_, possible({came_in, 0.0}, engine, from->progress.time(), now), made,
-                rounding);
+    Estimate brought = possible({came_in, 0.0}, engine, from->progress.time(), now);
+    brought.add({passed_in, 0.0});
+    ledger_.add(now.time(), energy_, potential_, brought, made, rounding);
     // Past the limit v-.v+ may be as far below zero as springs hold more than there could be.
     const double kinetic = engine.kinetic();
     broken_ = !std::isfinite(kinetic) || kinetic > far_beyond * ledger_.scale();

@@ -102,17 +102,17 @@ private:
 
     Ledger ledger_;
     bool creates_ = false, dissipates_ = false, broken_ = false;
-    long long number_ = 0;                   // batches since the ledger was opened
-    long long group_ = 1;                    // batches taken for one
-    long long accounted_ = no_step;          // the step of the group under way that is accounted
-    Work counted_;                           // in that step
-    double taken_in_ = 0.0;                  // s, up to when its work was taken in
-    std::vector<double> external_, work_;    // J, estimates for each group since the ledger was last written
-    double gross_ = 0.0;                     // J, of all work whatever its sign, since then
-    long long written_step_ = 0;             // when that was
-    double looked_at_ = 0.0;                 // s, likewise
-    double energy_ = 0.0, potential_ = 0.0;  // J, then
-    double last_unrest_ = 0.0;               // s
+    long long number_ = 0;                          // batches since the ledger was opened
+    long long group_ = 1;                           // batches taken for one
+    long long accounted_ = no_step;                 // the step of the group under way that is accounted
+    Work counted_;                                  // in that step
+    double taken_in_ = 0.0;                         // s, up to when its work was taken in
+    std::vector<double> external_, passes_, work_;  // J, estimates for each group since the ledger was last written
+    double gross_ = 0.0;                            // J, of all work whatever its sign, since then
+    long long written_step_ = 0;                    // when that was
+    double looked_at_ = 0.0;                        // s, likewise
+    double energy_ = 0.0, potential_ = 0.0;         // J, then
+    double last_unrest_ = 0.0;                      // s
     std::array<Saved, places> saved_;
     int next_ = 0;
 };
