@@ -220,15 +220,14 @@ private:
     template <class C>
     void touch(const C& contact, double dt) {
         using V = Vector<Real, 16>;
-        const Grid& grid = body_.model.grid;
+        const auto inside = contact.template inside<Real>(body_.model.grid);
         Field<Real> fields[max_fields]{};
         for (int f = 0; f < body_.kernels.fields; ++f) fields[f] = body_.fields[f].view();
         for (int j = first_; j < last_; ++j) {
             const Real* const free = body_.rows.constants()[j].inverse_mass;
             for (int i = 0; i < body_.rows.width(); i += Lanes<V>::width) {
                 const std::ptrdiff_t n = j * fields[0].stride + i;
-                const V depth = Lanes<V>::where_positive(Lanes<V>::load(free + i),
-                                                         contact.depth(grid, fields[0].template at<V>(n)));
+                const V depth = Lanes<V>::where_positive(Lanes<V>::load(free + i), inside(fields[0].template at<V>(n)));
                 if (!(max_of(depth) > 0.0)) continue;  // of nearly all registers
                 for (int m = 0; m < Lanes<V>::width; ++m)
                     if (lane(depth, m) > 0.0) touch(contact, dt, fields, n + m);

@@ -3,7 +3,7 @@
 //
 //   name, table, is_contact
 //   friction                    mu, of the cloth on it
-//   depth<V>(grid, x)           greater than 0 where x is inside
+//   inside<Real>(grid)          a function of a register of places, greater than 0 where one is inside
 //   surface(grid, x)            where it is touched by a mass at x (m) that is inside
 //
 // A mass that went inside is set on the surface, one that was there before (a flag that begins around the pole, ground

@@ -14,9 +14,9 @@ struct Ground {
     double height = -2.5;   // m
     double friction = 0.4;  // mu, of cloth on it
 
-    template <class V>
-    V depth(const Grid&, const Vec3<V>& x) const {
-        return static_cast<typename Lanes<V>::Real>(height) - x.y;
+    template <class Real>
+    auto inside(const Grid&) const {
+        return [level = static_cast<Real>(height)]<class V>(const Vec3<V>& x) { return level - x.y; };
     }
     Surface surface(const Grid&, const Vec3<double>& x) const { return {{0.0, 1.0, 0.0}, height - x.y}; }
 

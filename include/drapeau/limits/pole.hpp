@@ -25,11 +25,13 @@ struct Pole {
         const double fly = grid.columns > 1 ? grid.pitch_x : 0.0, hoist = grid.rows > 1 ? grid.pitch_y : 0.0;
         return std::hypot(radius, 0.5 * std::max(fly, hoist));
     }
-    template <class V>
-    V depth(const Grid& grid, const Vec3<V>& x) const {
-        using Real = typename Lanes<V>::Real;
-        const auto across = x.x + static_cast<Real>(radius);
-        return static_cast<Real>(reach(grid) * reach(grid)) - (across * across + x.z * x.z);
+    template <class Real>
+    auto inside(const Grid& grid) const {
+        const auto axis = static_cast<Real>(radius), square = static_cast<Real>(reach(grid) * reach(grid));
+        return [axis, square]<class V>(const Vec3<V>& x) {
+            const V across = x.x + axis;
+            return square - (across * across + x.z * x.z);
+        };
     }
     Surface surface(const Grid& grid, const Vec3<double>& x) const {
         const double across = x.x + radius, distance = std::hypot(across, x.z);
