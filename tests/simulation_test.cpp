@@ -468,7 +468,7 @@ TEST_CASE("Ground and pole join and leave a run", "[physics]") {
         simulation.change(scene);
         CHECK(masses(simulation) == before);
         run(simulation, 30);  // it comes out of the ground
-        const auto& held = simulation.model();
+        const Model held = simulation.model();
         const auto after = masses(simulation);
         for (int n = 0; n < 77; ++n)
             if (!held.held(n % 11, n / 11)) CHECK(after[static_cast<std::size_t>(n)].x.y >= -0.9 - 1e-12);
@@ -477,7 +477,9 @@ TEST_CASE("Ground and pole join and leave a run", "[physics]") {
         CHECK(masses(simulation) == after);
         run(simulation, 60);
         double lowest = 0.0;
-        for (const auto& mass : masses(simulation)) lowest = std::min(lowest, mass.x.y);
+        const auto through = masses(simulation);
+        for (int n = 0; n < 77; ++n)
+            if (!held.held(n % 11, n / 11)) lowest = std::min(lowest, through[static_cast<std::size_t>(n)].x.y);
         CHECK(lowest < -0.9);
     }
 }
