@@ -312,8 +312,14 @@ TEST_CASE("No change that the window can make while a flag flies leaves it garba
         {"held by a corner", [](Scene& s) { s.flag.attach = Attach::corner; }},
         {"stretched by half", [](Scene& s) { s.flag.prestretch = 0.5; }},
         {"a stretch limit", [](Scene& s) { s.limits.add(StretchLimit{0.1}); }},
-        {"ground", [](Scene& s) { s.limits.add(Ground{-0.8, 0.4}); }},
-        {"a pole", [](Scene& s) { s.limits.add(Pole{0.05, 0.3}); }},
+        {"ground",
+         [](Scene& s) {
+             s.limits.add(Ground{-1.0, 0.4});
+         }},
+        {"a pole",
+         [](Scene& s) {
+             s.limits.add(Pole{0.05, 0.3});
+         }},
         {"half-mast", [](Scene& s) { s.flag.halyard = 0.6; }},
     };
     for (const auto& change : changes) {

@@ -107,7 +107,8 @@ public:
                                 coin() ? std::optional(number(0.0, 100.0)) : std::nullopt, coin(),
                                 positive(1e-3, 1e3)});
         if (coin()) scene.limits.add(StretchLimit{positive(1e-6, 10.0)});
-        if (coin()) scene.limits.add(Ground{number(-1e3, 1e3), positive(1e-6, 100.0)});
+        if (scene.flag.attach == Attach::none)  // else it must be below the flag
+            scene.limits.add(Ground{number(-1e3, 1e3), positive(1e-6, 100.0)});
         if (coin()) scene.limits.add(Pole{positive(1e-3, 10.0), positive(1e-6, 100.0)});
         if (coin()) {
             scene.wind() = Wind{three(-1e6, 1e6), three(0.0, 1e6), positive(1e-3, 1e6), coin(), random_() >> 1};
@@ -333,6 +334,18 @@ TEST_CASE("an unknown key or table is named, with what may have been meant") {
     CHECK(message_of("[sprngs]\nmass = 3\n") == "storm.toml:1: [sprngs]: unknown table; did you mean springs?");
     CHECK(has(message_of(springs + "[physics]\n"), "[physics]: unknown table; known here: name, flag, springs"));
     CHECK(is_one_line(message_of("\"a\\nb\" = 3\n" + springs)));
+}
+
+TEST_CASE("ground is below all that is held") {
+    const auto of = [](const std::string& flag, const std::string& height) {
+        return message_of("[flag]\nheight = 0.9\n" + flag + "\n" + springs + "[ground]\nheight = " + height + "\n");
+    };
+    CHECK(has(of("", "-0.5"), "ground.height = -0.5: at most -0.9000 m, the lowest that is held"));
+    CHECK(of("", "-0.9").empty());
+    CHECK(of("attach = \"corner\"", "-0.5").empty());
+    CHECK(has(of("attach = \"corner\"", "0.5"), "ground.height = 0.5: at most 0"));
+    CHECK(of("attach = \"none\"", "0.5").empty());
+    CHECK(of("halyard = 0", "-3").empty());  // its foot stands on the ground
 }
 
 TEST_CASE("an image that is text is no scene, and the message says where it goes") {

@@ -5,6 +5,7 @@
 #include "scene/file.hpp"
 #include "scene/material.hpp"
 #include "scene/settings.hpp"
+#include "scene/surroundings.hpp"
 
 #include <algorithm>
 
@@ -72,6 +73,19 @@ std::optional<SceneFault> find_fault_of_cells(const Scene& scene) {
                           " times as long as wide, or as wide as long" + nearest};
 }
 
+/// Ground above what is held would tear at the flag for ever.
+std::optional<SceneFault> find_fault_of_ground(const Scene& scene) {
+    const auto& ground = scene.limits.get<Ground>();
+    const Attach attach = scene.flag.attach;
+    if (!ground || attach == Attach::none) return {};
+    const bool by_its_top = attach == Attach::top || attach == Attach::corner;
+    const double foot = hoisted_height(scene) - (by_its_top ? 0.0 : extent_of(scene.flag).height);
+    constexpr double rounding = 1e-9;  // m
+    if (ground->height <= foot + rounding) return {};
+    return SceneFault{"ground", "height", shortest(ground->height),
+                      "at most " + rounded(foot, 4) + " m, the lowest that is held of the flag, is allowed"};
+}
+
 }  // namespace
 
 std::string SceneFault::text() const {
@@ -126,6 +140,7 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
                           "goes with time.dt = \"auto\" only, and the step is given"};
     }
     if (auto fault = find_fault_of_cells(scene)) return fault;
+    if (auto fault = find_fault_of_ground(scene)) return fault;
     if (scene.wind() && !scene.drag() && !(air && (air->pressure || air->skin || air->added))) {
         const std::string drag = scene.fabric ? "fabric.drag_per_area" : "springs.drag";
         return SceneFault{"wind", "", "",
