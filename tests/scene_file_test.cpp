@@ -579,7 +579,7 @@ Scene unusual_scene(bool of_fabric) {
             }
         });
     });
-    scene.time.tolerance.reset();  // goes with an automatic step only
+    scene.time.tolerance.reset();               // goes with an automatic step only
     scene.limits.get<Ground>()->height = -9.5;  // below the flag
     if (of_fabric) scene.springs.reset();
     return scene;
