@@ -130,18 +130,18 @@ void PriceStudy::restore(const Basis& basis, double dt) {
     growth_ = basis.growth;
     reference_tip_ = basis.tip;
     ground_ = Footing{as_given(request_.scene),
-                     model_,
-                     {State<double>(1, 1), basis.time, basis.batches, 1},
-                     basis.reference(0),
-                     nullptr};
+                      model_,
+                      {State<double>(1, 1), basis.time, basis.batches, 1},
+                      basis.reference(0),
+                      nullptr};
 }
 
 Footing PriceStudy::ground_at(const State<double>& start, double time) const {
     Footing ground{as_given(request_.scene),
-                  model_,
-                  {start, time, request_.batches, sampling(model_.grid, request_.batches)},
-                  {},
-                  std::make_unique<Yardstick>(model_)};
+                   model_,
+                   {start, time, request_.batches, sampling(model_.grid, request_.batches)},
+                   {},
+                   std::make_unique<Yardstick>(model_)};
     ground.reference = find_reference(ground.model, ground.stretch, *ground.yardstick,
                                       {goal(), search_seconds_, [&] { tell(); }, request_.counts_work ? unit_ : 0.0});
     return ground;

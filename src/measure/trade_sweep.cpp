@@ -145,7 +145,7 @@ Stretch TradeSweep::stretch_of(const Model& model, const State<double>& start, d
 }
 
 Footing TradeSweep::ground_of(const Variant& variant, const State<double>& start, double time, double enough,
-                             const Tick& tick) const {
+                              const Tick& tick) const {
     Model model = model_of(variant.scene);
     // Statistics need no finer steps than those that hold.
     const double goal = is_beyond_horizon() ? INFINITY : std::max(finest_goal(model), enough);
@@ -234,10 +234,10 @@ Measured TradeSweep::judged(const TradePoint& point, const Footing& scene) const
     const Model& model = models_[point.variant];
     const Stretch& stretch = scene.stretch;
     const Footing own{variant,
-                     model,
-                     {carried_over(stretch.start, variant.scene), stretch.time, stretch.batches, stretch.every},
-                     {},
-                     std::make_unique<Yardstick>(model)};
+                      model,
+                      {carried_over(stretch.start, variant.scene), stretch.time, stretch.batches, stretch.every},
+                      {},
+                      std::make_unique<Yardstick>(model)};
     return measure_errors(point, own, scene, always);
 }
 

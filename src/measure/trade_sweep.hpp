@@ -75,7 +75,7 @@ private:
     Stretch stretch_of(const Model& model, const State<double>& start, double time) const;
     /// `enough` (m): no better reference is wanted.
     Footing ground_of(const Variant& variant, const State<double>& start, double time, double enough,
-                     const Tick& tick) const;
+                      const Tick& tick) const;
     Footing after(const Footing& scene, const Tick& tick) const;
     Measured judged(const TradePoint& point, const Footing& scene) const;
     void find_horizon(const State<double>& start, double time, const Tick& tick);

@@ -36,7 +36,8 @@ State<double> carried_over(const State<double>& old, const Scene& scene) {
             const bool held = model.held(i, j);
             const double along = share(i, grid.columns), down = share(j, grid.rows);
             state.position.set(
-                i, j, held ? (1.0 + scene.flag.prestretch) * grid.rest(i, j) + hauled : sample(old.position, along, down));
+                i, j,
+                held ? (1.0 + scene.flag.prestretch) * grid.rest(i, j) + hauled : sample(old.position, along, down));
             if (!held) state.velocity.set(i, j, sample(old.velocity, along, down));
         }
     return state;

@@ -32,8 +32,8 @@ bool same_structure(const Scene& a, const Scene& b) {
            a.flag.height == b.flag.height && goes_on(a.flag, b.flag) && a.time.method == b.time.method &&
            a.time.precision == b.time.precision && a.time.half_kick_start == b.time.half_kick_start &&
            a.fabric.has_value() == b.fabric.has_value() && a.diagonals().has_value() == b.diagonals().has_value() &&
-           a.damping().has_value() == b.damping().has_value() &&
-           touch_alike(a.limits, b.limits) && a.terms.get<Air>().has_value() == b.terms.get<Air>().has_value() &&
+           a.damping().has_value() == b.damping().has_value() && touch_alike(a.limits, b.limits) &&
+           a.terms.get<Air>().has_value() == b.terms.get<Air>().has_value() &&
            bends_alike(a.terms.get<Bending>(), b.terms.get<Bending>());
 }
 

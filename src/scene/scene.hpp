@@ -27,8 +27,8 @@ struct FlagSettings {
     // Absent: a nanometre where nothing pushes out of that plane, which grows if the plane is not stable.
     std::optional<double> disturbance;
     std::string texture;  // file name; the physics ignores it
-    // Share of the pole at which the flag's upper corner hangs: 1 at its top, 0.5 half-mast. What is held is hauled there
-    // where it changes. Absent: at the top, and nothing hauls.
+    // Share of the pole at which the flag's upper corner hangs: 1 at its top, 0.5 half-mast. What is held is hauled
+    // there where it changes. Absent: at the top, and nothing hauls.
     std::optional<double> halyard{};
 
     bool operator==(const FlagSettings&) const = default;

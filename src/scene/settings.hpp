@@ -231,7 +231,8 @@ inline constexpr std::tuple keys_of<Ground>{
 
 template <>
 inline constexpr std::string_view remark_on<Pole> =
-    "An upright pole of any height along the hoist, that the flag wraps around. Masses are kept half a cell further out "
+    "An upright pole of any height along the hoist, that the flag wraps around. Masses are kept half a cell further "
+    "out "
     "where cells are wide, so that threads between them do not cut into it. Without this table a pole is drawn, but "
     "nothing touches it.";
 template <>

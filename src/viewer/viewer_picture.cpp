@@ -88,7 +88,8 @@ void Viewer::draw() {
     const FlagSettings& flag = moment_.scene.flag;
     framing_ = framing_of(flag, stage_of(moment_.scene));
     // What nothing holds falls; the camera goes with it, unless there is ground to see it fall upon.
-    if (flag.attach == Attach::none && !moment_.scene.limits.get<Ground>()) framing_.centre = middle_of(moment_.snapshot.position);
+    if (flag.attach == Attach::none && !moment_.scene.limits.get<Ground>())
+        framing_.centre = middle_of(moment_.snapshot.position);
     if (!picture_wanted()) return;
 
     const glm::vec2 pixels(float(target_.width()), float(target_.height()));
