@@ -218,7 +218,15 @@ TEST_CASE("a stretch limit that holds masses back lowers every order, which is s
     for (const Json& method : found["methods"]) {
         INFO(method);
         CHECK(method["flag"] == "limit");
-        CHECK(method["order"].get<double>() < 1.2);  // of 2 and 4
+        // Until what the limit may leave, 10^-4 of 0.125 m, is all there is to see.
+        std::vector<double> errors;
+        for (const Json& step : found["steps"])
+            if (step["method"] == method["method"]) errors.push_back(step["error_m"].get<double>());
+        REQUIRE(errors.size() > 4);
+        const double order = std::log2(errors[0] / errors[4]) / 4.0;
+        INFO(order);
+        CHECK(order > 0.5);
+        CHECK(order < 1.7);  // of 2 and 4
     }
     CHECK(has(found["conclusion"], "leapfrog and rk4: a lower order, for the stretch limit"));
 }

@@ -460,9 +460,9 @@ TEST_CASE("a cost is said with what it is known to, or as the most that it may b
 TEST_CASE("what price leaves out of a fabric that has it by its name is left out of the scene that it writes") {
     const Bench bench;
     bench.write("drum.toml",
-                "[flag]\ncolumns = 4\nrows = 4\nwidth = 0.9\nheight = 0.9\nattach = \"edges\"\n"
+                "[flag]\ncolumns = 9\nrows = 9\nwidth = 0.9\nheight = 0.9\nattach = \"edges\"\n"
                 "[fabric]\n[gravity]\nacceleration = [0, 0, -9.8]\n");
-    const Outcome outcome = bench.run("price drum.toml --budget " + std::string(sanitized ? "2" : "0.1") +
+    const Outcome outcome = bench.run("price drum.toml --budget " + std::string(sanitized ? "2" : "0.3") +
                                       " --settle 0 --seconds 0.1 --tolerance 1m --write less.toml");
     INFO(outcome.output << outcome.messages);
     if (sanitized && outcome.status == 1) return;  // what saves time there is anybody's guess
@@ -477,6 +477,6 @@ TEST_CASE("what price leaves out of a fabric that has it by its name is left out
     };
     check("diagonal_share", less.fabric->diagonal_share);
     check("damping_time", less.fabric->damping_time);
-    if (left_out == 0) WARN("nothing was found to save time for certain: the machine is busy");
+    CHECK(left_out > 0);
     CHECK_FALSE(has(text, "density"));
 }

@@ -711,7 +711,8 @@ TEST_CASE("every shipped scene loads, finds its texture and runs a second within
                 for (const double value : field->component(c)) REQUIRE(std::isfinite(value));
         // A spring meant to be seen swinging may stretch; cloth may not, but across the bias: where the storm makes
         // the fly snap, 17 % was seen there, and 7 % along the threads.
-        if (name != "spring") CHECK(simulation.readings().max_stretch < 0.2 + scene.flag.prestretch);
+        const double most = name == "storm" || name == "flutter" ? 0.2 : 0.1;
+        if (name != "spring") CHECK(simulation.readings().max_stretch < most + scene.flag.prestretch);
         CHECK(simulation.steps_per_batch() <= 1000);
     }
 }
