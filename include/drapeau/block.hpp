@@ -7,6 +7,7 @@
 #pragma once
 
 #include "drapeau/advance.hpp"
+#include "drapeau/contact_rows.hpp"
 #include "drapeau/model_rows.hpp"
 
 #include <algorithm>
@@ -175,8 +176,10 @@ public:
 
     /// The contacts, after a step of dt (s).
     void touch(double dt) {
+        Pass<Real> p = pass(dt);
         body_.model.limits.for_each([&]<class Limit>(const Limit& limit) {
-            if constexpr (Contact<Limit>) touch(limit, dt);
+            if constexpr (Contact<Limit>)
+                touch_rows(limit, body_.model.grid, dt, p, std::as_const(body_.before).view(), body_.kernels.follow);
         });
     }
 
@@ -215,41 +218,6 @@ private:
             after_the_move(step);
             meet();
         }
-    }
-
-    template <class C>
-    void touch(const C& contact, double dt) {
-        using V = Vector<Real, 16>;
-        const auto inside = contact.template inside<Real>(body_.model.grid);
-        Field<Real> fields[max_fields]{};
-        for (int f = 0; f < body_.kernels.fields; ++f) fields[f] = body_.fields[f].view();
-        for (int j = first_; j < last_; ++j) {
-            const Real* const free = body_.rows.constants()[j].inverse_mass;
-            for (int i = 0; i < body_.rows.width(); i += Lanes<V>::width) {
-                const std::ptrdiff_t n = j * fields[0].stride + i;
-                const V depth = Lanes<V>::where_positive(Lanes<V>::load(free + i), inside(fields[0].template at<V>(n)));
-                if (!(max_of(depth) > 0.0)) continue;  // of nearly all registers
-                for (int m = 0; m < Lanes<V>::width; ++m)
-                    if (lane(depth, m) > 0.0) touch(contact, dt, fields, n + m);
-            }
-        }
-    }
-    template <class C>
-    void touch(const C& contact, double dt, const Field<Real>* fields, std::ptrdiff_t n) {
-        const auto at = [n](const Field<const Real>& field) {
-            return Vec3<double>{static_cast<double>(field.x[n]), static_cast<double>(field.y[n]),
-                                static_cast<double>(field.z[n])};
-        };
-        const auto rounded = [](const Vec3<double>& a) {
-            return Vec3<Real>{static_cast<Real>(a.x), static_cast<Real>(a.y), static_cast<Real>(a.z)};
-        };
-        const auto x = at(fields[0]), v = at(fields[1]);
-        auto x_next = x, v_next = v;
-        const auto before = at(std::as_const(body_.before).view());
-        Surface surface = contact.surface(body_.model.grid, x);
-        surface.leave(contact.surface(body_.model.grid, before).depth, dt);
-        resist(surface, contact.friction, before, x_next, v_next);
-        body_.kernels.follow(fields, n, rounded(x_next - x), rounded(v_next - v));
     }
 
     /// Where this block's masses are, for the contacts at the step's end.

@@ -82,7 +82,7 @@ std::optional<SceneFault> find_fault_of_ground(const Scene& scene) {
     const double foot = hoisted_height(scene) - (by_its_top ? 0.0 : extent_of(scene.flag).height);
     constexpr double rounding = 1e-9;  // m
     if (ground->height <= foot + rounding) return {};
-    return SceneFault{"ground", "height", shortest(ground->height),
+    return SceneFault{"ground", "height", given_text(ground->height, settings::About{"Ground", "m", ""}),
                       "at most " + rounded(foot, 4) + " m, the lowest that is held of the flag, is allowed"};
 }
 
