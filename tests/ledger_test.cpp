@@ -222,7 +222,7 @@ TEST_CASE("A run too short for samples is judged by all its steps", "[physics][l
         simulation.use_exact_dt();
         CHECK_FALSE(simulation.advance_steps(steps));
         CHECK_FALSE(simulation.check());
-        CHECK(std::abs(simulation.readings().created_share) < 0.01);
+        CHECK(std::abs(simulation.readings().created_share.value()) < 0.01);
     }
 }
 
@@ -361,7 +361,7 @@ TEST_CASE("A long quiet run adds up no false alarm", "[physics][ledger]") {
         Simulation simulation(scene);
         for (int n = 0; n < 60 * 300 / every; ++n) REQUIRE_FALSE(simulation.advance_batch());
         CHECK(simulation.lowered_because().empty());
-        CHECK(std::abs(simulation.readings().created_share) < 0.1);
+        CHECK(std::abs(simulation.readings().created_share.value()) < 0.1);
     }
 }
 

@@ -452,6 +452,19 @@ TEST_CASE("bending has a stiffness and, if asked for, a damping") {
     CHECK(model_of(parse_scene(springs, "x")).bending() == nullptr);
 }
 
+TEST_CASE("a named fabric bends as its name says, where nothing else is said") {
+    const auto stiffness_of = [](const std::string& text) {
+        return parse_scene(text, "x").terms.get<Bending>()->stiffness;
+    };
+    for (const auto name : {FabricName::knitted_polyester, FabricName::woven_polyester, FabricName::nylon,
+                            FabricName::silk, FabricName::canvas}) {
+        const std::string named = "[fabric]\nname = \"" + std::string(names_of(name)[std::size_t(name)]) + "\"\n";
+        CHECK(stiffness_of("[bending]\n" + named) == bending_of(name));
+        CHECK(stiffness_of(named + "[bending]\nstiffness = 0.02\n") == 0.02);
+    }
+    CHECK(stiffness_of("[fabric]\n[bending]\ndamping = 30\n") == bending_of(FabricName::knitted_polyester));
+}
+
 TEST_CASE("a tolerance goes with an automatic step, and one beside a given step is an error") {
     CHECK(parse_scene(springs + "[time]\ntolerance = 0.001\n", "x").time.tolerance == 0.001);
     CHECK(parse_scene(springs + "[time]\ndt = \"auto\"\ntolerance = 1\n", "x").time.tolerance == 1.0);

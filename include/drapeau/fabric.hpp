@@ -42,6 +42,22 @@ inline Fabric fabric_of(FabricName name) {
     return {};
 }
 
+/// B, N m, of a named fabric. Sources: docs/model.md, "Fabric".
+inline double bending_of(FabricName name) {
+    switch (name) {
+        case FabricName::woven_polyester:
+        case FabricName::nylon:
+            return 3e-5;
+        case FabricName::silk:
+            return 8e-6;
+        case FabricName::canvas:
+            return 7e-5;
+        case FabricName::knitted_polyester:
+            break;
+    }
+    return 2e-5;
+}
+
 inline namespace DRAPEAU_ISA {
 
 /// The most that a cell may be longer than wide, or wider than long, for springs to resist as the fabric does: beyond,

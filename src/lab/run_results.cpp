@@ -24,6 +24,7 @@ std::string modelled(const Model& model) {
     add(model.has_diagonals(), "diagonal springs");
     add(model.is_damped(), "spring damping");
     model.terms.for_each([&](const auto& term) { add(true, term.name); });
+    add(model.added_air() != nullptr, "added air");
     model.limits.for_each([&](const auto& limit) { add(true, limit.name); });
     return words;
 }
@@ -109,8 +110,9 @@ std::vector<Result> results_of(const Simulation& simulation, int threads, const 
     number("greatest_stretch", readings.max_stretch, "greatest stretch", with_unit(100.0 * readings.max_stretch, "%"));
     number("mean_stretch", readings.mean_stretch, "mean stretch", with_unit(100.0 * readings.mean_stretch, "%"));
     measure("greatest_spring_force_N", readings.max_spring_force, "greatest spring force", "N");
-    number("created_energy_share", readings.created_share, "energy created by the method",
-           with_unit(100.0 * readings.created_share, "% of all there could be"));
+    const auto created = readings.created_share;
+    number("created_energy_share", created.value_or(NAN), "energy created by the method",
+           created ? with_unit(100.0 * *created, "% of all there could be") : "not known with this method");
     if (scene.limits.get<StretchLimit>()) {
         number("limit_sweeps", readings.limit.sweeps, "stretch limit",
                std::to_string(readings.limit.sweeps) + " sweeps in the last batch, " +

@@ -17,6 +17,11 @@ bool goes_on(const FlagSettings& from, const FlagSettings& to) {
     return from.attach == to.attach && from.start == to.start && from.prestretch == to.prestretch;
 }
 
+/// Whether what forces did in a step is known at its end.
+bool knows_work(Method method) {
+    return with_method(method, [](const auto& m) { return std::decay_t<decltype(m)>::counts_work; });
+}
+
 bool touch_alike(const Limits& a, const Limits& b) {
     const auto touches = [](const Limits& limits) { return limits.get<Ground>() || limits.get<Pole>(); };
     return touches(a) == touches(b);
@@ -167,7 +172,9 @@ Readings Simulation::readings() const {
             .mean_stretch = here.mean_stretch,
             .max_spring_force = here.max_force,
             .rms_spring_force = here.rms_force,
-            .created_share = run_->watch.ledger().created_share(),
+            .created_share = knows_work(run_->scene.time.method)
+                                 ? std::optional(run_->watch.ledger().created_share())
+                                 : std::nullopt,
             .limit = run_->limit,
             .time = now};
 }

@@ -32,7 +32,9 @@ struct Readings {
     double mean_stretch = 0.0;      // share, mean of |l - L| / L
     double max_spring_force = 0.0;  // N, max |k (l - L)|
     double rms_spring_force = 0.0;  // N
-    double created_share = 0.0;     // of the energy there could be, what the method created (see energy.hpp)
+    // Of the energy there could be, what the method created (see energy.hpp); absent where the method does not know what
+    // forces did.
+    std::optional<double> created_share{};
     PassReport limit;               // of the passes after the move, in the last batch
     double time = 0.0;              // s, when it was measured
 };

@@ -5,6 +5,7 @@
 #include "io/text_file.hpp"
 #include "scene/assign.hpp"
 #include "scene/check.hpp"
+#include "scene/material.hpp"
 #include "scene/settings.hpp"
 
 #include <toml++/toml.h>
@@ -178,11 +179,12 @@ void refuse_unknown_tables(const toml::table& root, const std::string& origin) {
 }
 
 /// A fabric begins with the values of its name.
-void begin(Fabric& fabric, const toml::table& node) {
+void begin(Fabric& fabric, const toml::table& node, const Scene&) {
     if (const toml::node* name = node.get("name"); name && take(*name, fabric.name)) fabric = fabric_of(fabric.name);
 }
+void begin(Bending& bending, const toml::table&, const Scene& scene) { bending = usual_term<Bending>(scene); }
 template <class Settings>
-void begin(Settings&, const toml::table&) {}
+void begin(Settings&, const toml::table&, const Scene&) {}
 
 void read_tables(const toml::table& root, Scene& scene, const std::string& origin) {
     scene.springs.reset();
@@ -198,7 +200,7 @@ void read_tables(const toml::table& root, Scene& scene, const std::string& origi
         if (!node->is_table())
             fail(origin, *node, table + " = " + one_line(echo(*node), 60) + ": a table is expected, [" + table + "]");
 
-        if constexpr (requires { settings.has_value(); }) begin(settings.emplace(), *node->as_table());
+        if constexpr (requires { settings.has_value(); }) begin(settings.emplace(), *node->as_table(), scene);
         refuse_unknown_keys(*node->as_table(), table, names_in(keys), origin);
         read_keys(*node->as_table(), table, *listed(settings), keys, origin);
     });

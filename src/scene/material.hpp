@@ -27,4 +27,14 @@ void give_as_springs(Scene& scene);
 /// What diagonal springs, switched on, are: N/m, or a share.
 double usual_diagonals(const Scene& scene);
 
+/// What a term is that is listed without a word: a fabric bends as its name says.
+template <class Term>
+Term usual_term(const Scene&) {
+    return {};
+}
+template <>
+inline Bending usual_term(const Scene& scene) {
+    return scene.fabric ? Bending{.stiffness = bending_of(scene.fabric->name)} : Bending{};
+}
+
 }  // namespace drapeau

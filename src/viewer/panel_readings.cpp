@@ -92,7 +92,7 @@ void show_stability(const Status& s, Widgets& widgets) {
         "this damping. Past the limit noise grows; past the bound it may. \"energy +12 %\": the method created that "
         "share of the energy there is; a smaller step creates less.";
     using enum Widgets::Mood;
-    const double created = s.readings.created_share;
+    const double created = s.readings.created_share.value_or(0.0);
     Widgets::Mood mood = created > Ledger::broken_share ? bad : created > much_created ? close : calm;
     const std::string energy = mood == calm ? "" : fmt::format(",  energy +{:.0f} %", 100.0 * created);
     if (s.stability_limit.is_finite()) {
@@ -181,10 +181,12 @@ void show_energy(const Readings& r, Widgets& widgets) {
         " (zero at the flag's top).\nCreated or lost by the method: the energy of motion and springs now, less what "
         "there "
         "was and the work of all forces since the settings last changed, as a share of what there was and came in. An "
-        "exact method creates none; at 30 % the run is taken for broken.";
+        "exact method creates none; at 30 % the run is taken for broken. XPBD does not know what its forces did: of it "
+        "nothing is said.";
     widgets.reading("Energy",
-                    fmt::format("{},  {:.2g} % {}", joules(total), 100.0 * std::abs(r.created_share),
-                                r.created_share < 0.0 ? "lost" : "created"),
+                    r.created_share ? fmt::format("{},  {:.2g} % {}", joules(total), 100.0 * std::abs(*r.created_share),
+                                                  *r.created_share < 0.0 ? "lost" : "created")
+                                    : joules(total),
                     tip.c_str());
 }
 

@@ -29,7 +29,7 @@ void edit_springs(AppState& app, Widgets& widgets) {
     each_key(springs_keys, [&](const auto& field) { edit(widgets, "springs", field, springs, origin); });
 }
 
-/// Another name brings its values, but for the drag, which is the air's.
+/// Another name brings its values, but for the drag, which is the air's, and a bending that is not the fabric's own.
 void edit_fabric(AppState& app, Widgets& widgets) {
     Fabric& fabric = *app.scene.fabric;
     const FabricName before = fabric.name;
@@ -39,6 +39,8 @@ void edit_fabric(AppState& app, Widgets& widgets) {
     const auto drag = fabric.drag_per_area;
     fabric = fabric_of(fabric.name);
     fabric.drag_per_area = drag;
+    auto& bending = app.scene.terms.get<Bending>();
+    if (bending && bending->stiffness == bending_of(before)) bending->stiffness = bending_of(fabric.name);
     app.diagonals.reset();
 }
 
@@ -58,7 +60,8 @@ void draw_springs_page(AppState& app, Widgets& widgets) {
         constexpr bool has_table = requires {
             Term::table;
         };
-        if constexpr (has_table && !std::is_same_v<Term, Wind>) edit_table(widgets, term, app.origin.terms.get<Term>());
+        if constexpr (has_table && !std::is_same_v<Term, Wind>)
+            edit_table(widgets, term, app.origin.terms.get<Term>(), usual_term<Term>(app.scene));
     });
 }
 

@@ -87,9 +87,10 @@ bool edit(Widgets& widgets, std::string_view table, const settings::Key<Settings
 }
 
 /// The controls of a term's or limit's table: a switch, and its settings while it is on; of a table with one number,
-/// both in a row.
+/// both in a row. Switched on it is as in `origin`, or else `listed_anew`.
 template <class Term>
-void edit_table(Widgets& widgets, std::optional<Term>& term, const std::optional<Term>& origin) {
+void edit_table(Widgets& widgets, std::optional<Term>& term, const std::optional<Term>& origin,
+                const Term& listed_anew = {}) {
     constexpr auto& keys = settings::keys_of<Term>;
     const auto& first = std::get<0>(keys);
     if constexpr (std::tuple_size_v<std::decay_t<decltype(keys)>> == 1 && requires { double{Term{}.*first.member}; }) {
@@ -103,7 +104,7 @@ void edit_table(Widgets& widgets, std::optional<Term>& term, const std::optional
         if (!term) term.emplace();
         *term.*first.member = *value;
     } else {
-        const Term usual = origin.value_or(Term{});
+        const Term usual = origin.value_or(listed_anew);
         if (switch_table(widgets, Term::name, settings::remark_on<Term>, term.has_value())) {
             term = term ? std::nullopt : std::optional(usual);
         }

@@ -4,6 +4,7 @@
 #include "scene/check.hpp"
 #include "scene/material.hpp"
 #include "scene/settings.hpp"
+#include "scene/surroundings.hpp"
 
 #include "drapeau/stability.hpp"
 
@@ -28,6 +29,12 @@ struct SizeLevel {
 /// Absolute (N s/m), or a share of what is critical for one spring.
 struct DampingLevel {
     double value = 0.0, share = 0.0;
+};
+/// Ground so many flag's heights above its foot, through it where nothing holds it up, and a pole, both of this friction.
+struct ContactLevel {
+    double ground = NAN, friction = 0.0;
+
+    bool exists() const { return !std::isnan(ground); }
 };
 struct StartLevel {
     Begin begin;
@@ -59,6 +66,16 @@ constexpr StartLevel starts[] = {{Begin::as_the_scene, Start::flat, 0.0},  {Begi
                                  {Begin::far_away, Start::crumpled, 0.0}};
 constexpr Attach attachments[] = {Attach::hoist, Attach::corner, Attach::grommets,
                                   Attach::edges, Attach::all,    Attach::none};
+constexpr std::optional<Air> airs[] = {std::nullopt,
+                                       Air{},
+                                       Air{.added = true},
+                                       Air{.density = 1e3},
+                                       Air{.pressure = 1e3, .skin = {}},
+                                       Air{.density = 1e-6, .pressure = {}, .skin = {}, .added = true, .cutoff = 0.02}};
+constexpr std::optional<Bending> bendings[] = {std::nullopt, Bending{1e-4, 20.0}, Bending{1e-9, 1e6}, Bending{1e-2},
+                                               Bending{1e3}};
+constexpr std::optional<double> stretch_limits[] = {std::nullopt, 0.05, 0.0, 10.0};
+constexpr ContactLevel contacts[] = {{}, {-0.2, 0.0}, {0.0, 0.3}, {0.5, 100.0}};
 constexpr bool either[] = {false, true};
 
 enum Factor {
@@ -79,6 +96,10 @@ enum Factor {
     size_,
     start_,
     attach_,
+    air_,
+    bending_,
+    stretch_limit_,
+    contact_,
 
     exact_,
     factor_count_
@@ -100,6 +121,8 @@ std::vector<int> level_counts() {
     counts[wind_] = count(winds), counts[gusts_] = 3, counts[gravity_] = count(gravities);
     counts[grid_] = count(grids), counts[size_] = count(sizes), counts[start_] = count(starts);
     counts[attach_] = count(attachments), counts[exact_] = count(either);
+    counts[air_] = count(airs), counts[bending_] = count(bendings);
+    counts[stretch_limit_] = count(stretch_limits), counts[contact_] = count(contacts);
     return counts;
 }
 
@@ -124,6 +147,16 @@ Row sampled(Draw& draw) {
 
 double clamped(double value, const settings::Range& range) {
     return std::clamp(value, range.lowest, range.highest);
+}
+
+/// Ground and pole, where the flag is.
+void add(const ContactLevel& level, Scene& scene) {
+    if (!level.exists()) return;
+    const double height = extent_of(scene.flag).height, foot = hoisted_height(scene) - height;
+    const bool may_stand = scene.flag.attach == Attach::none;
+    const double above = std::min(level.ground, may_stand ? 1.0 : 0.0);
+    scene.limits.get<Ground>() = Ground{.height = foot + above * height, .friction = level.friction};
+    scene.limits.get<Pole>() = Pole{.friction = level.friction};
 }
 
 }  // namespace
@@ -168,6 +201,11 @@ Case Cases::at(long long number) const {
         give_as_fabric(as_fabric);
         if (!find_fault(as_fabric)) scene = as_fabric;
     }
+    scene.terms.get<Air>() = airs[row[air_]];
+    scene.terms.get<Bending>() = bendings[row[bending_]];
+    if (const auto& stretch = stretch_limits[row[stretch_limit_]])
+        scene.limits.get<StretchLimit>() = StretchLimit{.stretch = *stretch};
+    add(contacts[row[contact_]], scene);
     if (const double speed = about(winds[row[wind_]]); speed > 0.0) {
         if (!scene.drag()) scene.drag() = 0.0;  // a wind that nothing feels is refused
         Wind& wind = scene.wind().emplace();

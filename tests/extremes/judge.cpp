@@ -62,7 +62,10 @@ public:
             const auto g = gravity->acceleration;
             falling_ = std::hypot(g.x, g.y, g.z) * std::sqrt(0.5 * masses * model.springs.mass);
         }
-        power_ = model.most_power();
+        // Passes after the move may bring in what a start beyond them holds: masses come out of the ground, springs are
+        // shortened at once.
+        const bool has_passes = model.limits.get<StretchLimit>() || model.touches();
+        power_ = has_passes ? INFINITY : model.most_power();
         // Places are rounded to eps X, so a step's kick is off by k eps X for each spring: (dt k eps X)^2 / 2m of
         // energy, at most k (eps X)^2 for a stable step.
         const double k = model.springs.stiffest();
@@ -99,13 +102,20 @@ Means unwatched(const Model& model, const Scene& scene, const State<double>& sta
     return means;
 }
 
+/// What a step costs where it is hard, in steps of one mass: a limit that acts in every one takes some ten sweeps, each as
+/// dear as some steps.
+double cost_of(const Model& model, Method method) {
+    constexpr double sweeps = 40.0;
+    return step_cost(model, method) * (model.limits.get<StretchLimit>() ? sweeps : 1.0);
+}
+
 /// What is known to be right of a span of time, if it is known within the work allowed.
 std::optional<Means> reference(const Scene& scene, const Model& model, const State<double>& start, double dt,
                                double time, double floor, double mass_steps) {
     const auto limit = stable_step(scene.time.method, model);
     const double coarse = std::min(dt, limit.is_finite() ? 0.5 * limit.seconds() : dt);
     const double steps = std::ceil(8.0 * time / coarse);
-    if (!(1.5 * steps * step_cost(model, scene.time.method) <= mass_steps)) return {};
+    if (!(1.5 * steps * cost_of(model, scene.time.method) <= mass_steps)) return {};
     const auto run = [&](long long count) {
         return unwatched(model, scene, start, time / static_cast<double>(count), count, Precision::double_precision);
     };
@@ -178,11 +188,12 @@ Judgement judged(const Case& of, double work) {
 
     // A share of the work is for this run, the rest for one at an eighth of its step.
     constexpr double most_steps = 3000.0;
-    const double fewest_steps = changes_motion(scene.time.method) ? 1.0 : 6.0;
+    const bool is_dear = changes_motion(scene.time.method) || model.limits.get<StretchLimit>();
+    const double fewest_steps = is_dear ? 1.0 : 6.0;
     const auto limit = stable_step(scene.time.method, model);
     const double finer = std::max(1.0, limit.is_finite() ? dt / (0.5 * limit.seconds()) : 1.0);
     constexpr double harder = 20.0;  // where it is stiff, solving takes so many times as long as usual
-    const double cost = step_cost(model, scene.time.method) * (changes_motion(scene.time.method) ? harder : 1.0);
+    const double cost = cost_of(model, scene.time.method) * (changes_motion(scene.time.method) ? harder : 1.0);
     const double comparable = work / cost / (2.0 + 12.0 * finer);
     const bool compares = comparable >= 100.0;
     const auto steps =
