@@ -44,10 +44,10 @@ public:
         return (wait_for("XdndStatus").l[1] & 1) != 0;
     }
 
-    /// Whether the window took it.
+    /// Whether the window took it. The protocol has a bit for that; GLFW answers with the number of bytes it took.
     bool let_go() {
         send("XdndDrop", 0, CurrentTime);
-        return (wait_for("XdndFinished").l[1] & 1) != 0;
+        return wait_for("XdndFinished").l[1] != 0;
     }
 
 private:
