@@ -1,118 +1,20 @@
 #!/usr/bin/env python3
-"""Draws the flags of this folder: python3 assets/flags/draw_flags.py [FOLDER]
+"""Draws the flags of this folder: python3 assets/flags/draw_flags.py [FOLDER [NAME...]]
 
 Only the standard library is used, and the same pictures come out every time. Every shape is a polygon in units of
-the flag's height: x from the hoist, y down from the top. Edges are smoothed by coverage: exact along a line of
-pixels, by 16 samples across it.
+the flag's height: x from the hoist, y down from the top. What each flag is drawn by is said beside it, and in
+docs/flags.md.
 """
 
 import math
 import os
-import struct
 import sys
-import zlib
 
-SAMPLES = 16  # lines sampled in each row of pixels
+sys.dont_write_bytecode = True  # the folder is installed as it is
 
-
-class Picture:
-    def __init__(self, width, height, colour):
-        self.width, self.height = width, height
-        self.rows = [[list(colour) for _ in range(width)] for _ in range(height)]
-
-    def coverage(self, outlines):
-        """Yields (row, shares) of the rows that the area inside the outlines (even-odd, in pixels) touches."""
-        edges = []
-        for outline in outlines:
-            for (x0, y0), (x1, y1) in zip(outline, outline[1:] + outline[:1]):
-                if y0 != y1:
-                    edges.append((x0, y0, x1, y1) if y0 < y1 else (x1, y1, x0, y0))
-        edges.sort(key=lambda edge: edge[1])
-        first = max(0, math.floor(min(edge[1] for edge in edges)))
-        last = min(self.height - 1, math.ceil(max(edge[3] for edge in edges)))
-        for row in range(first, last + 1):
-            near = [edge for edge in edges if edge[1] <= row + 1 and edge[3] >= row]
-            shares = [0.0] * (self.width + 1)
-            touched = False
-            for sample in range(SAMPLES):
-                y = row + (sample + 0.5) / SAMPLES
-                crossings = sorted(x0 + (y - y0) * (x1 - x0) / (y1 - y0)
-                                   for x0, y0, x1, y1 in near if y0 <= y < y1)
-                for left, right in zip(crossings[::2], crossings[1::2]):
-                    left, right = max(left, 0.0), min(right, float(self.width))
-                    if left < right:
-                        touched = True
-                        add_span(shares, left, right, 1.0 / SAMPLES)
-            if touched:
-                yield row, shares
-
-    def fill(self, colour, *outlines, opacity=1.0):
-        """colour: (red, green, blue) or a function of the pixel's column and row that gives one."""
-        for row, shares in self.coverage(outlines):
-            pixels = self.rows[row]
-            for column in range(self.width):
-                share = min(1.0, shares[column]) * opacity
-                if share > 0.0:
-                    ink = colour(column, row) if callable(colour) else colour
-                    pixels[column] = [below + (above - below) * share for below, above in zip(pixels[column], ink)]
-
-    def save(self, path):
-        lines = [bytes(min(255, max(0, int(value + 0.5))) for pixel in row for value in pixel) for row in self.rows]
-        # PNG lets each line be stored as it is, as differences from its left or from above: the smallest file wins.
-        bodies, above = [bytearray(), bytearray(), bytearray()], bytes(3 * self.width)
-        for line in lines:
-            for kind, before in enumerate((bytes(len(line)), bytes(3) + line[:-3], above)):
-                bodies[kind] += bytes([kind]) + bytes((a - b) & 255 for a, b in zip(line, before))
-            above = line
-        body = min((zlib.compress(bytes(body), 9) for body in bodies), key=len)
-        header = struct.pack(">IIBBBBB", self.width, self.height, 8, 2, 0, 0, 0)
-        with open(path, "wb") as file:
-            file.write(b"\x89PNG\r\n\x1a\n")
-            for name, data in (b"IHDR", header), (b"sRGB", b"\0"), (b"IDAT", body), (b"IEND", b""):
-                file.write(struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data)))
-
-
-def add_span(shares, left, right, weight):
-    first, last = int(left), int(right)
-    if first == last:
-        shares[first] += (right - left) * weight
-        return
-    shares[first] += (first + 1 - left) * weight
-    for column in range(first + 1, last):
-        shares[column] += weight
-    shares[last] += (right - last) * weight
-
-
-def rgb(code):
-    return tuple(int(code[i:i + 2], 16) for i in (0, 2, 4))
-
-
-def rectangle(left, top, right, bottom):
-    return [(left, top), (right, top), (right, bottom), (left, bottom)]
-
-
-def disc(x, y, radius, corners=360):
-    return [(x + radius * math.cos(2 * math.pi * i / corners), y + radius * math.sin(2 * math.pi * i / corners))
-            for i in range(corners)]
-
-
-def star(x, y, radius, points=5):
-    """A regular star with one point upwards; the inner corners lie where the sides of a pentagram cross."""
-    inner = radius * math.cos(2 * math.pi / points) / math.cos(math.pi / points)
-    return [(x + (radius, inner)[i % 2] * math.sin(math.pi * i / points),
-             y - (radius, inner)[i % 2] * math.cos(math.pi * i / points)) for i in range(2 * points)]
-
-
-def scaled(outline, factor):
-    return [(x * factor, y * factor) for x, y in outline]
-
-
-def flag(width, height, field, *shapes):
-    """shapes: (colour, outline...) in units of the height."""
-    picture = Picture(width, height, rgb(field))
-    for colour, *outlines in shapes:
-        picture.fill(rgb(colour), *(scaled(outline, height) for outline in outlines))
-    return picture
+import nations
+import signals
+from drawing import Picture, disc, flag, rectangle, rgb, star
 
 
 def france():  # 2:3, the colours in use since 2020
@@ -310,9 +212,42 @@ def test_pattern():
     return picture
 
 
+def uv_grid():
+    """Texture coordinates as colours: red grows with u towards the fly, green with v upwards, a line every tenth.
+
+    The lines are numbered in tenths along the upper edge (u) and along the hoist (v).
+    """
+    width, height = 1200, 800
+    white = (255, 255, 255)
+    picture = Picture(width, height, white)
+
+    def place(column, row):
+        return (int(256 * column / width), int(256 * (height - 1 - row) / height), 96)
+
+    picture.fill(place, rectangle(0, 0, width, height))
+    for tenth in range(1, 10):
+        half = 2 if tenth == 5 else 1
+        x, y = width * tenth / 10, height * tenth / 10
+        picture.fill(white, rectangle(x - half, 0, x + half, height))
+        picture.fill(white, rectangle(0, y - half, width, y + half))
+        write(picture, str(tenth), x + 9, 10, 4, (0, 0, 0))
+        write(picture, str(10 - tenth), 10, y - 37, 4, white)
+    for radius in 0.1, 0.3:
+        picture.fill(white, disc(width / 2, height / 2, radius * height + 1),
+                     disc(width / 2, height / 2, radius * height - 1))
+    return picture
+
+
+DRAWN = (france, italy, germany, japan, sweden, switzerland, europe, drapeau, test_pattern, uv_grid,
+         *nations.DRAWN, *signals.DRAWN)
+
+
 if __name__ == "__main__":
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
-    for draw in france, italy, germany, japan, sweden, switzerland, europe, drapeau, test_pattern:
-        path = os.path.join(folder, draw.__name__.replace("_", "-") + ".png")
+    for draw in DRAWN:
+        name = draw.__name__.replace("_", "-")
+        if sys.argv[2:] and name not in sys.argv[2:]:
+            continue
+        path = os.path.join(folder, name + ".png")
         draw().save(path)
         print(path, os.path.getsize(path), "bytes")

@@ -4,10 +4,12 @@
 #include "camera.hpp"
 #include "findings.hpp"
 #include "message.hpp"
+#include "thumbnail.hpp"
 #include "run/simulation.hpp"
 #include "scene/material.hpp"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -95,6 +97,9 @@ struct AppState {
     std::vector<std::filesystem::path> saved_files;  // scenes written since the program began
     std::vector<std::string> scene_names;
     std::vector<std::filesystem::path> texture_files;
+    std::vector<std::filesystem::path> own_images;  // others that were on the flag, newest first
+    std::vector<SceneCard> scene_cards;
+    std::map<std::filesystem::path, Thumbnail> thumbnails;  // by their image
 
     std::optional<double> diagonals;  // N/m, or share; kept while diagonal springs are off
 
@@ -103,6 +108,7 @@ struct AppState {
     bool panel_opened = false;  // where there is none
     bool narrow = false;        // the window has no room for the panel beside the flag
     bool help_shown = false;
+    bool scenes_shown = false;
     Message message;
     std::optional<Question> question;
     Status status;
@@ -132,12 +138,14 @@ inline void say_why_it_stands(AppState& app) {
     say(app, Message::Cause::standstill, app.status.standstill(), true);
 }
 
-/// Closes what was opened last: a question, unanswered, before the list of keys and the message.
+/// Closes what was opened last: a question, unanswered, before the list of keys, the scenes and the message.
 inline void close_one(AppState& app) {
     if (app.question)
         app.question.reset();
     else if (app.help_shown)
         app.help_shown = false;
+    else if (app.scenes_shown)
+        app.scenes_shown = false;
     else
         app.message.text.clear();
 }

@@ -118,6 +118,9 @@ void letter_key(char letter, AppState& app) {
         case 'h':
             app.toggle_panel();
             break;
+        case 'o':
+            toggle(app.scenes_shown);
+            break;
         case 'p':
             app.commands.screenshot = true;
             break;

@@ -5,6 +5,7 @@
 #include "io/given_path.hpp"
 #include "scene/file.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <new>
 #include <utility>
@@ -48,6 +49,31 @@ void Loader::forget_image() {
     drop_image();
 }
 
+void Loader::load_small(const std::filesystem::path& file) {
+    {
+        const std::lock_guard lock(mutex_);
+        const auto is_it = [&](const SmallImage& made) { return made.file == file; };
+        if (small_now_ == file || std::find(small_.begin(), small_.end(), file) != small_.end() ||
+            std::any_of(small_ready_.begin(), small_ready_.end(), is_it))
+            return;
+        small_.push_back(file);
+    }
+    wanted_.notify_one();
+}
+
+std::optional<SmallImage> Loader::take_small() {
+    const std::lock_guard lock(mutex_);
+    if (small_ready_.empty()) return {};
+    SmallImage first = std::move(small_ready_.front());
+    small_ready_.pop_front();
+    return first;
+}
+
+bool Loader::makes_small() const {
+    const std::lock_guard lock(mutex_);
+    return small_now_ || !small_.empty() || !small_ready_.empty();
+}
+
 void Loader::drop_image() {
     image_.reset();
     if (!now_a_scene_) abandon_.request_stop();
@@ -71,12 +97,17 @@ std::optional<Loaded> Loader::take(bool image_too) {
 
 void Loader::wait() {
     std::unique_lock lock(mutex_);
-    finished_.wait(lock, [this] { return !scene_ && !image_ && !now_; });
+    finished_.wait(lock, [this] { return !scene_ && !image_ && !now_ && small_.empty() && !small_now_; });
 }
 
 void Loader::work(const std::stop_token& ending) {
     std::unique_lock lock(mutex_);
-    while (wanted_.wait(lock, ending, [this] { return scene_ || image_; }) && !ending.stop_requested()) {
+    const auto is_wanted = [this] { return scene_ || image_ || !small_.empty(); };
+    while (wanted_.wait(lock, ending, is_wanted) && !ending.stop_requested()) {
+        if (!scene_ && !image_) {
+            make_small(lock);
+            continue;
+        }
         now_a_scene_ = scene_.has_value();
         now_ = std::exchange(now_a_scene_ ? scene_ : image_, std::nullopt);
         abandon_ = std::stop_source();
@@ -89,6 +120,31 @@ void Loader::work(const std::stop_token& ending) {
         if (!stop.stop_requested()) ready_.push_back(std::move(loaded));
         now_.reset();
         finished_.notify_all();
+    }
+}
+
+void Loader::make_small(std::unique_lock<std::mutex>& lock) {
+    small_now_ = small_.front();
+    small_.pop_front();
+    now_a_scene_ = false;
+    abandon_ = std::stop_source();
+    const std::stop_token stop = abandon_.get_token();
+    const std::filesystem::path file = *small_now_;
+    lock.unlock();
+    SmallImage made = small_copy(file, stop);
+    lock.lock();
+    if (!stop.stop_requested()) small_ready_.push_back(std::move(made));
+    small_now_.reset();
+    finished_.notify_all();
+}
+
+SmallImage Loader::small_copy(const std::filesystem::path& file, const std::stop_token& stop) {
+    try {
+        return {file, shrunk_to(drapeau::load_image(file, stop), small_side)};
+    } catch (const Abandoned&) {
+        return {file, {}};
+    } catch (const std::exception&) {
+        return {file, {}};
     }
 }
 

@@ -47,6 +47,7 @@ void draw_flag_page(AppState& app, PanelMemory& memory, Widgets& widgets) {
     });
     choose_texture(app, memory, widgets);
     edit(widgets, "view", row_of(&ViewSettings::texture_proportions, view_keys), view, app.origin.view);
+    draw_flag_gallery(app, widgets);
 }
 
 }  // namespace drapeau

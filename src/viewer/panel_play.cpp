@@ -54,15 +54,18 @@ void choose_view(AppState& app, Widgets& widgets) {
 void draw_play(AppState& app, Widgets& widgets) {
     choose_scene(app, widgets);
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
-    const float third = (ImGui::GetContentRegionAvail().x - 2.0f * spacing) / 3.0f;
-    if (widgets.button("Pause", "Stops simulated time, or lets it go on. Key Space", third,
+    const float quarter = (ImGui::GetContentRegionAvail().x - 3.0f * spacing) / 4.0f;
+    if (widgets.button("Pause", "Stops simulated time, or lets it go on. Key Space", quarter,
                        app.paused ? "Go on###pause" : "Pause###pause"))
         app.paused = !app.paused;
     ImGui::SameLine();
-    if (widgets.button("Step", "Takes one step of the method while paused. Key .", third)) app.commands.step = true;
+    if (widgets.button("Step", "Takes one step of the method while paused. Key .", quarter)) app.commands.step = true;
     ImGui::SameLine();
-    if (widgets.button("Restart", "Begins again at the scene's start, with the current settings. Key R", third))
+    if (widgets.button("Restart", "Begins again at the scene's start, with the current settings. Key R", quarter))
         app.commands.restart = true;
+    ImGui::SameLine();
+    if (widgets.button("Scenes", "Shows every scene that ships, to choose from. Key O", quarter))
+        app.scenes_shown = !app.scenes_shown;
     ImGui::Spacing();
     choose_view(app, widgets);
 }

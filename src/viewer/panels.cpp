@@ -95,6 +95,7 @@ void draw_panels(AppState& app, PanelMemory& memory, UiMap& map) {
         draw_opener(app, widgets);
     }
     if (app.scene.view.forces) draw_legend(app);
+    draw_scene_gallery(app, widgets);
     draw_message(app, widgets);
     draw_help(app, widgets);
     draw_question(app, widgets);

@@ -21,6 +21,8 @@ void draw_panels(AppState& app, PanelMemory& memory, UiMap& map);
 // The panel's parts, each in a file of its own.
 void draw_play(AppState& app, Widgets& widgets);
 void draw_flag_page(AppState& app, PanelMemory& memory, Widgets& widgets);
+void draw_flag_gallery(AppState& app, Widgets& widgets);
+void draw_scene_gallery(AppState& app, Widgets& widgets);
 void draw_springs_page(AppState& app, Widgets& widgets);
 void draw_wind_page(AppState& app, PanelMemory& memory, Widgets& widgets);
 void draw_time_page(AppState& app, PanelMemory& memory, Widgets& widgets);

@@ -1,6 +1,7 @@
 #include "viewer.hpp"
 
 #include "image/image_file.hpp"
+#include "scene_cards.hpp"
 #include "stage.hpp"
 
 #include "io/error.hpp"
@@ -99,6 +100,7 @@ Viewer::Viewer(const Options& options, LoadedScene loaded)
     if (!into_files(options)) window_.show(options.width, options.height, !options.size_given && !repeatable());
     app_.scene_names = shipped_scenes();
     app_.texture_files = shipped_pictures();
+    app_.scene_cards = scene_cards();
     app_.panel_shown = !options.hide_ui;
     app_.status.clock = !repeatable();
     if (options.azimuth) camera_.azimuth = *options.azimuth;

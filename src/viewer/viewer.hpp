@@ -19,6 +19,7 @@
 #include "rest.hpp"
 #include "run_messages.hpp"
 #include "simulation_thread.hpp"
+#include "thumbnail_textures.hpp"
 #include "ui_map.hpp"
 #include "window.hpp"
 
@@ -78,6 +79,7 @@ private:
     SimulationThread simulation_;
     Loader loader_;
     Measuring measuring_;
+    ThumbnailTextures thumbnail_textures_;
 
     AppState app_;
     PanelMemory panel_memory_;

@@ -1,5 +1,6 @@
 // What the viewer does with files: scenes and images that are wanted, scenes to be saved.
 #include "saving.hpp"
+#include "scene_cards.hpp"
 #include "viewer.hpp"
 
 #include "io/error.hpp"
@@ -23,6 +24,7 @@ void Viewer::load_wanted() {
     // An image that was chosen after a scene waits until that is taken; another scene does not.
     while (auto loaded = loader_.take(!opening_)) use(std::move(*loaded));
     app_.status.loading = loader_.waiting_for();
+    thumbnail_textures_.serve(app_.thumbnails, loader_, repeatable());
 }
 
 // Files that cannot be used leave everything as it was, with a message.
@@ -90,6 +92,7 @@ void Viewer::set_image(const std::filesystem::path& file, std::optional<Image> i
         renderer_.texture().clear();
     close_if(app_.message, Message::Cause::image);
     app_.texture_file = file;
+    remember_image(app_, file);
     app_.status.image_has_holes = renderer_.texture().has_holes();
 }
 

@@ -128,7 +128,7 @@ Activity Viewer::activity() const {
     const Message& message = app_.message;
     return {.events = had_events_ || gui_.has_waiting_keys(),
             .runs = runs(),
-            .simulation = !simulation_.idle() || opening_ || !app_.status.loading.empty() || measuring_.under_way(),
+            .simulation = !simulation_.idle() || opening_ || !app_.status.loading.empty() || loader_.makes_small() || measuring_.under_way(),
             .hidden = hidden_,
             .typing = ImGui::GetIO().WantTextInput,
             .message_left = message.text.empty() ? 0.0 : message.seconds_left};

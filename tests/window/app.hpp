@@ -88,11 +88,13 @@ public:
     void check_healthy();
 
     Process& process() { return *process_; }
+    /// X's number of the window.
+    const std::string& window() const { return window_; }
+    Point on_screen(Point p) const;
 
 private:
     Control find(const std::string& label);
     void give_up(const std::string& why);
-    Point on_screen(Point p) const;
 
     const Screen& screen_;
     TemporaryFolder folder_;
