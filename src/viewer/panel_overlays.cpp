@@ -1,6 +1,8 @@
 // What lies over the picture: the message, the list of keys, the scale of the force colours.
 #include "panels.hpp"
 
+#include "actions.hpp"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -17,27 +19,27 @@ constexpr ImGuiWindowFlags box_flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindow
                                        ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
                                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
 
-constexpr const char* keys[][2] = {{"Left drag", "turn"},
-                                   {"Right drag", "move"},
-                                   {"Wheel, + and -", "closer, further"},
-                                   {"Double click, Home", "the first view"},
-                                   {"Arrows", "turn"},
-                                   {"Space", "pause, go on"},
-                                   {".", "one step"},
-                                   {"R", "restart"},
-                                   {"T", "texture"},
-                                   {"S", "springs"},
-                                   {"D", "diagonal springs"},
-                                   {"F", "force colours"},
-                                   {"M", "masses"},
-                                   {"C", "cloth"},
-                                   {"G", "reference ghost"},
-                                   {"H", "hide, show the panel"},
-                                   {"P", "screenshot"},
-                                   {"F1", "this list"},
-                                   {"Esc", "close what is open, or cancel"},
-                                   {"Ctrl Q", "quit"},
-                                   {"Drop a file", "an image or a scene"}};
+constexpr const char* mouse[][2] = {{"Left drag", "turn"},
+                                    {"Right drag", "move"},
+                                    {"Wheel", "closer, further"},
+                                    {"Double click", "the first view"},
+                                    {"Drop a file", "an image or a scene"}};
+
+void draw_key(const std::string& key, const std::string& does) {
+    ImGui::TextUnformatted(key.c_str());
+    ImGui::SameLine(ImGui::CalcTextSize("Ctrl Shift Z, Ctrl Y   ").x + ImGui::GetStyle().WindowPadding.x);
+    ImGui::TextDisabled("%s", does.c_str());
+}
+
+/// A line for each key; actions that share one stand together in the table.
+void draw_keys() {
+    std::string last;
+    for (const Action& action : actions()) {
+        if (action.key.empty() || action.key == last) continue;
+        last = action.key;
+        draw_key(action.key, action.together.empty() ? action.does : action.together);
+    }
+}
 
 Area claim_window(AppState& app) {
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
@@ -131,11 +133,11 @@ void draw_question(AppState& app, Widgets& widgets) {
     ImGui::PushTextWrapPos(width - 30.0f * scale);
     ImGui::TextUnformatted(printable(app.question->text).c_str());
     ImGui::PopTextWrapPos();
-    const bool agreed =
-        widgets.button("Overwrite", "What the file holds is replaced. Key Enter", 0.0f, "Overwrite (Enter)");
+    const Question& question = *app.question;
+    const bool agreed = widgets.button(question.answer.c_str(), (question.tip + " Key Enter").c_str(), 0.0f,
+                                       (question.answer + " (Enter)").c_str());
     ImGui::SameLine();
-    const bool declined =
-        widgets.button("Cancel", "Nothing is saved, and the file stays as it is. Key Esc", 0.0f, "Cancel (Esc)");
+    const bool declined = widgets.button("Cancel", "Everything stays as it is. Key Esc", 0.0f, "Cancel (Esc)");
     claim_window(app);
     ImGui::End();
     if (agreed) agree(app);
@@ -163,12 +165,8 @@ void draw_help(AppState& app, Widgets& widgets) {
     ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, (view.y0 + view.y1) / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {view.width(), view.height()});  // scrolls where it is cut off
     ImGui::Begin("keys", nullptr, box_flags);
-    const float second = ImGui::CalcTextSize("Double click, Home   ").x + ImGui::GetStyle().WindowPadding.x;
-    for (const auto& [key, meaning] : keys) {
-        ImGui::TextUnformatted(key);
-        ImGui::SameLine(second);
-        ImGui::TextDisabled("%s", meaning);
-    }
+    for (const auto& [way, does] : mouse) draw_key(way, does);
+    draw_keys();
     ImGui::Spacing();
     if (widgets.button("Close keys", "Key Esc")) app.help_shown = false;
     claim_window(app);
