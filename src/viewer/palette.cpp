@@ -25,14 +25,20 @@ bool is_letter_or_digit(char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c & 0x80);
 }
 
+/// Whether the letters follow each other in the name, with others between, the first of them at the beginning of a
+/// word.
 bool holds_in_order(std::string_view name, std::string_view letters) {
-    std::size_t at = 0;
-    for (const char c : letters) {
-        at = name.find(c, at);
-        if (at == std::string_view::npos) return false;
-        ++at;
+    for (std::size_t begin = 0; begin < name.size(); ++begin) {
+        if (name[begin] != letters[0] || (begin > 0 && is_letter_or_digit(name[begin - 1]))) continue;
+        std::size_t at = begin;
+        for (const char c : letters) {
+            at = name.find(c, at);
+            if (at == std::string_view::npos) break;
+            ++at;
+        }
+        if (at != std::string_view::npos) return true;
     }
-    return true;
+    return false;
 }
 
 /// Of one word, both in small letters.

@@ -12,7 +12,7 @@ namespace {
 /// A turning arrow upon the last item, drawn rather than written, for not every font has one.
 void draw_arrow(bool forth, bool bright) {
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    const float side = high.y - low.y, turn = forth ? 1.0f : -1.0f, r = 0.22f * side;
+    const float side = high.y - low.y, turn = forth ? 1.0f : -1.0f, r = 0.25f * side;
     const ImVec2 centre((low.x + high.x) / 2.0f, (low.y + high.y) / 2.0f + 0.04f * side);
     const ImU32 color = ImGui::GetColorU32(bright ? ImGuiCol_Text : ImGuiCol_TextDisabled);
     ImDrawList* list = ImGui::GetWindowDrawList();

@@ -52,8 +52,7 @@ void Widgets::frame_if_marked(const char* label) {
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImVec4 color = amber;
     color.w = float(std::clamp(mark_->seconds_left, 0.0, 1.0));
-    ImGui::GetWindowDrawList()->AddRect({low.x - 2.0f, low.y - 2.0f}, {high.x + 2.0f, high.y + 2.0f},
-                                        ImGui::GetColorU32(color), 4.0f, 0, 2.0f);
+    ImGui::GetWindowDrawList()->AddRect(low, high, ImGui::GetColorU32(color), 4.0f, 0, 2.0f);
 }
 
 void Widgets::note(const char* label, const std::string& value) {
