@@ -14,7 +14,10 @@ void toggle(bool& value) {
 
 std::vector<Action> all_actions() {
     return {
-        {"first view", "Home", {{.key = Key::home}}, [](AppState& app, Camera&) { app.commands.reset_camera = true; }},
+        {"the first view",
+         "Home",
+         {{.key = Key::home}},
+         [](AppState& app, Camera&) { app.commands.reset_camera = true; }},
         {"turn left",
          "Arrows",
          {{.key = Key::left}},

@@ -25,7 +25,7 @@ void draw_arrow(bool forth, bool bright) {
         list->PathLineTo(at(begin + 0.75f + (end - begin - 0.75f) * float(i) / points, r));
     list->PathStroke(color, 0, 1.6f);
     const ImVec2 tip = at(begin, r), outer = at(begin + 0.95f, 1.75f * r), inner = at(begin + 0.95f, 0.35f * r);
-    list->AddTriangleFilled(tip, outer, inner, color);
+    list->AddTriangleFilled(tip, forth ? inner : outer, forth ? outer : inner, color);  // clockwise
 }
 
 bool history_button(const char* label, const std::string& what, const char* key, bool forth, Widgets& widgets) {

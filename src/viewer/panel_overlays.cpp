@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace drapeau {
 
@@ -25,20 +27,44 @@ constexpr const char* mouse[][2] = {{"Left drag", "turn"},
                                     {"Double click", "the first view"},
                                     {"Drop a file", "an image or a scene"}};
 
-void draw_key(const std::string& key, const std::string& does) {
-    ImGui::TextUnformatted(key.c_str());
-    ImGui::SameLine(ImGui::CalcTextSize("Ctrl Shift Z, Ctrl Y   ").x + ImGui::GetStyle().WindowPadding.x);
-    ImGui::TextDisabled("%s", does.c_str());
-}
+struct KeyLine {
+    std::string key, does;
+};
 
 /// A line for each key; actions that share one stand together in the table.
-void draw_keys() {
-    std::string last;
+std::vector<KeyLine> key_lines() {
+    std::vector<KeyLine> lines;
+    for (const auto& [way, does] : mouse) lines.push_back({way, does});
     for (const Action& action : actions()) {
-        if (action.key.empty() || action.key == last) continue;
-        last = action.key;
-        draw_key(action.key, action.together.empty() ? action.does : action.together);
+        if (action.key.empty() || action.key == lines.back().key) continue;
+        lines.push_back({action.key, action.together.empty() ? action.does : action.together});
     }
+    return lines;
+}
+
+/// Lines below each other, keys and what they do.
+void draw_lines(std::span<const KeyLine> lines) {
+    const float gap = 2.0f * ImGui::GetStyle().WindowPadding.x;
+    float second = 0.0f;
+    for (const KeyLine& line : lines) second = std::max(second, ImGui::CalcTextSize(line.key.c_str()).x + gap);
+    ImGui::BeginGroup();
+    for (const KeyLine& line : lines) {
+        ImGui::TextUnformatted(line.key.c_str());
+        ImGui::SameLine(second);
+        ImGui::TextDisabled("%s", line.does.c_str());
+    }
+    ImGui::EndGroup();
+}
+
+/// In two columns where there is room for them.
+void draw_keys(float room) {
+    const std::vector<KeyLine> lines = key_lines();
+    const std::span<const KeyLine> all(lines);
+    const std::size_t half = room > 55.0f * ImGui::GetFontSize() ? (lines.size() + 1) / 2 : lines.size();
+    draw_lines(all.first(half));
+    if (half == lines.size()) return;
+    ImGui::SameLine(0.0f, 2.0f * ImGui::GetStyle().WindowPadding.x);
+    draw_lines(all.subspan(half));
 }
 
 Area claim_window(AppState& app) {
@@ -165,8 +191,7 @@ void draw_help(AppState& app, Widgets& widgets) {
     ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, (view.y0 + view.y1) / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {view.width(), view.height()});  // scrolls where it is cut off
     ImGui::Begin("keys", nullptr, box_flags);
-    for (const auto& [way, does] : mouse) draw_key(way, does);
-    draw_keys();
+    draw_keys(view.width());
     ImGui::Spacing();
     if (widgets.button("Close keys", "Key Esc")) app.help_shown = false;
     claim_window(app);

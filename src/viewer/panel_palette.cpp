@@ -44,8 +44,11 @@ bool draw_row(const PaletteItem& item, bool chosen, bool follows, Widgets& widge
     ImGui::SameLine(ImGui::GetStyle().FramePadding.x);
     ImGui::TextUnformatted(printable(item.label).c_str());
     const std::string detail = one_line(item.detail, 48);
-    const float right = ImGui::GetWindowContentRegionMax().x - ImGui::GetStyle().FramePadding.x;
-    ImGui::SameLine(std::max(0.0f, right - ImGui::CalcTextSize(detail.c_str()).x));
+    const float padding = ImGui::GetStyle().FramePadding.x;
+    const float right = ImGui::GetWindowContentRegionMax().x - padding;
+    const float left = right - ImGui::CalcTextSize(detail.c_str()).x;
+    if (left < ImGui::CalcTextSize(printable(item.label).c_str()).x + 4.0f * padding) return clicked;  // no room
+    ImGui::SameLine(left);
     ImGui::TextDisabled("%s", detail.c_str());
     return clicked;
 }
@@ -76,9 +79,10 @@ void draw_found(AppState& app, bool entered, int chosen_before, Widgets& widgets
 void draw_palette(AppState& app, Widgets& widgets) {
     Palette& palette = app.palette;
     if (!palette.open) return;
-    const Area& view = app.view_area;
+    Area view = app.view_area;
+    if (app.narrow) view.x0 = 0.0f;  // over an opened panel too: beside it there is no room
     const float scale = ImGui::GetFontSize() / usual_font;
-    const float width = std::max(240.0f * scale, std::min(560.0f * scale, view.width() - 24.0f * scale));
+    const float width = std::min(560.0f * scale, view.width() - 24.0f * scale);
     ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, view.y0 + 14.0f * scale}, ImGuiCond_Always, {0.5f, 0.0f});
     ImGui::SetNextWindowSize({width, 0.0f});
     if (palette.begins) ImGui::SetNextWindowFocus();

@@ -31,6 +31,7 @@ void Viewer::load_wanted() {
 // Files that cannot be used leave everything as it was, with a message.
 void Viewer::use(Loaded loaded) {
     if (!loaded.fault.empty()) {
+        if (!loaded.is_scene) restored_image_.clear();
         say(app_, loaded.is_scene ? Message::Cause::scene : Message::Cause::image, loaded.fault, true);
     } else if (loaded.is_scene) {
         restored_image_.clear();
@@ -72,6 +73,7 @@ void Viewer::save_wanted() {
 void Viewer::save(const std::filesystem::path& file) {
     const Saved saved = save_scene(app_.scene, file, app_.texture_file);
     app_.saved_files.push_back(saved.file);
+    remember_file(app_.remembered.recent_scenes, saved.file);
     if (is_same_file(saved.file.string(), watch_.file().string())) watch_.accept();
     const char* without = " without its image: a scene file holds no such file name";
     say(app_, Message::Cause::save, "Saved " + saved.file.string() + (saved.without_image ? without : ""),

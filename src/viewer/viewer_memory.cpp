@@ -50,6 +50,11 @@ void Viewer::recall() {
     settings_file_ = user_settings_file();
     FoundSettings found = find_user_settings(settings_file_);
     app_.remembered = kept_settings_ = found.settings;
+    for (auto* files : {&app_.remembered.recent_scenes, &app_.remembered.recent_images})
+        std::erase_if(*files, [](const std::string& file) {
+            std::error_code failure;
+            return !fs::exists(file, failure);
+        });
     if (!found.may_be_saved) settings_file_.clear();
     if (!found.trouble.empty()) say(app_, Message::Cause::settings, found.trouble, true);
     const auto* page = std::find(std::begin(page_names), std::end(page_names), app_.remembered.page);
@@ -149,7 +154,7 @@ void Viewer::reload_wanted() {
         Scene read = read_scene(watch_.file(), first ? assignments_of(options_) : std::vector<Assignment>{});
         if (first) preset_view(options_, read.view);
         if (first && gives_image(options_)) read.flag.texture = app_.origin.flag.texture;
-        const bool edited = app_.scene != app_.origin;
+        const bool edited = physics_of(app_.scene) != physics_of(app_.origin);
         Scene scene = read;
         if (read.view == app_.origin.view) scene.view = app_.scene.view;  // as it is looked at
         const bool differs = scene != app_.scene;
