@@ -89,17 +89,3 @@ TEST_CASE("every scene that ships has a sentence and a picture in the gallery, a
     }
     CHECK(bytes < 250000);
 }
-
-TEST_CASE("images of a person's own are remembered, the newest first, and those that ship are not") {
-    AppState app;
-    app.texture_files = {"/flags/a.png"};
-    remember_image(app, "/flags/a.png");
-    remember_image(app, "");
-    CHECK(app.own_images.empty());
-    for (int n = 0; n < 20; ++n) remember_image(app, "/own/" + std::to_string(n) + ".png");
-    CHECK(app.own_images.size() == 12);
-    remember_image(app, "/own/15.png");
-    CHECK(app.own_images.size() == 12);
-    CHECK(app.own_images[0] == "/own/15.png");
-    CHECK(app.own_images[1] == "/own/19.png");
-}

@@ -3,10 +3,13 @@
 
 #include "camera.hpp"
 #include "findings.hpp"
+#include "history.hpp"
 #include "message.hpp"
-#include "thumbnail.hpp"
+#include "palette.hpp"
 #include "run/simulation.hpp"
 #include "scene/material.hpp"
+#include "thumbnail.hpp"
+#include "user_settings.hpp"
 
 #include <filesystem>
 #include <map>
@@ -24,6 +27,9 @@ struct Commands {
     bool reset_camera = false;
     bool use_safe_step = false;
     bool restart_reference = false;
+    bool undo = false, redo = false;
+    bool copy_scene = false, paste_scene = false;  // as text, by the clipboard
+    bool forget_settings = false;
     std::optional<Measuring::Subject> measure;
     bool stop_measuring = false;
     std::optional<std::string> load_scene;           // a path or a shipped name
@@ -32,10 +38,13 @@ struct Commands {
     std::optional<std::filesystem::path> overwrite;  // save the scene over this file
 };
 
-/// A question that waits for an answer: whether a scene may be saved over a file.
+/// A question that waits for an answer: whether a scene may be saved over a file, or all that is remembered forgotten.
 struct Question {
     std::filesystem::path file;
     std::string text;
+    std::string answer = "Overwrite";
+    std::string tip = "What the file holds is replaced.";
+    bool forgets = false;
 };
 
 /// How far the run has gone from its reference.
@@ -97,7 +106,6 @@ struct AppState {
     std::vector<std::filesystem::path> saved_files;  // scenes written since the program began
     std::vector<std::string> scene_names;
     std::vector<std::filesystem::path> texture_files;
-    std::vector<std::filesystem::path> own_images;  // others that were on the flag, newest first
     std::vector<SceneCard> scene_cards;
     std::map<std::filesystem::path, Thumbnail> thumbnails;  // by their image
 
@@ -114,6 +122,11 @@ struct AppState {
     Status status;
     Findings findings;
     Commands commands;
+    History history;
+    UserSettings remembered;  // between runs
+    Palette palette;
+    std::optional<Mark> mark;  // the control that was looked for
+    bool quits = false;
 
     // What the panels took of the window in this frame, in window units.
     Area panel_area;
@@ -138,9 +151,11 @@ inline void say_why_it_stands(AppState& app) {
     say(app, Message::Cause::standstill, app.status.standstill(), true);
 }
 
-/// Closes what was opened last: a question, unanswered, before the list of keys, the scenes and the message.
+/// Closes what was opened last: the palette, a question, unanswered, before the list of keys, the scenes and the message.
 inline void close_one(AppState& app) {
-    if (app.question)
+    if (app.palette.open)
+        app.palette.open = false;
+    else if (app.question)
         app.question.reset();
     else if (app.help_shown)
         app.help_shown = false;
@@ -150,10 +165,23 @@ inline void close_one(AppState& app) {
         app.message.text.clear();
 }
 
-/// Saves over the file that was asked about.
+/// Does what was asked about: saves over the file, or forgets.
 inline void agree(AppState& app) {
-    if (app.question) app.commands.overwrite = app.question->file;
+    if (app.question && app.question->forgets)
+        app.commands.forget_settings = true;
+    else if (app.question)
+        app.commands.overwrite = app.question->file;
     app.question.reset();
+}
+
+inline void ask_to_forget(AppState& app) {
+    app.question = Question{.file = {},
+                            .text =
+                                "Forget the window's size, its panel and page, and the recent files? The scene "
+                                "stays as it is.",
+                            .answer = "Forget",
+                            .tip = "The window begins with defaults from the next start on.",
+                            .forgets = true};
 }
 
 /// Diagonal springs off, or on as stiff as they last were.

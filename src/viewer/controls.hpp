@@ -9,6 +9,8 @@
 
 namespace drapeau {
 
+struct Action;
+
 struct Claims {
     bool mouse = false;     // the interface uses the mouse now
     bool keyboard = false;  // a text is being typed
@@ -25,7 +27,7 @@ private:
     enum class Drag { none, turn, slide };
 
     void press(const InputEvent& event, bool claimed, AppState& app);
-    void key(const InputEvent& event, char32_t typed, AppState& app, Camera& camera);
+    void carry_out(const Action* action, AppState& app, Camera& camera);
 
     Drag drag_ = Drag::none;
     glm::vec2 last_{0.0f};  // the mouse, at the last event of the drag

@@ -34,6 +34,7 @@ struct InputEvent {
     Key key = Key::other;
     MouseButton button = MouseButton::other;
     bool control = false;  // the control key was down
+    bool shift = false;    // a shift key was down
     bool desktop = false;  // Alt or Super was down: a shortcut of the desktop
     int code = 0;          // of a key: GLFW's number for it, that of its letter where it has one
     char letter = '\0';    // of a key: the shortcut letter it stands for, a to z

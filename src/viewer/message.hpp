@@ -9,6 +9,9 @@
 //   refusal     the run refuses settings, which are taken back   other settings are taken
 //   standstill  the run stops                                    the run goes on; closed before that, a line in its
 //                                                                place says that the run stopped and opens it again
+//   settings    what is remembered between runs cannot be read   some seconds after, or when it is closed
+//               or kept
+//   history     settings are undone or redone                     after some seconds
 //   typed       a number cannot be taken as it was typed         after some seconds
 //   lowered     an automatic step is lowered, once a scene       after some seconds
 #pragma once
@@ -20,7 +23,7 @@
 namespace drapeau {
 
 struct Message {
-    enum class Cause { image, scene, save, screenshot, refusal, standstill, typed, lowered };
+    enum class Cause { image, scene, save, screenshot, refusal, standstill, settings, history, typed, lowered };
     std::string text{};
     bool trouble = true;
     double seconds_left = 0.0;  // it goes by itself; 0: it stays until closed

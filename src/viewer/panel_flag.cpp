@@ -18,6 +18,12 @@ void choose_texture(AppState& app, PanelMemory& memory, Widgets& widgets) {
         if (file == app.texture_file) index = int(names.size());
         names.push_back(file.stem().string());
     }
+    const auto& recent = app.remembered.recent_images;
+    const auto shown = shown_names(recent, true);
+    for (std::size_t i = 0; i < recent.size(); ++i) {
+        if (recent[i] == app.texture_file) index = int(names.size());
+        names.push_back(shown[i]);
+    }
     if (index < 0) {
         index = int(names.size());
         names.push_back(app.texture_file.filename().string());
@@ -29,6 +35,8 @@ void choose_texture(AppState& app, PanelMemory& memory, Widgets& widgets) {
             app.commands.load_texture = "";
         else if (at <= app.texture_files.size())
             app.commands.load_texture = app.texture_files[at - 1].string();
+        else if (at <= app.texture_files.size() + recent.size())
+            app.commands.load_texture = recent[at - 1 - app.texture_files.size()];
     }
     if (widgets.text("Image file", memory.texture_text, "path, then Enter",
                      "Path of a PNG, JPEG, WebP, SVG, GIF or BMP file."))

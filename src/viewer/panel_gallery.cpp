@@ -63,7 +63,7 @@ struct FlagEntry {
 std::vector<FlagEntry> flag_entries(const AppState& app) {
     std::vector<FlagEntry> entries{{{}, "none"}};
     std::set<std::string> known{"none"};
-    for (const fs::path& file : app.own_images) {
+    for (const fs::path file : app.remembered.recent_images) {
         std::string name = printable(file.filename().string());
         if (!known.insert(name).second) known.insert(name = printable(file.string()));
         entries.push_back({file, name});

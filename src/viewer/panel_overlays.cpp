@@ -1,11 +1,15 @@
 // What lies over the picture: the message, the list of keys, the scale of the force colours.
 #include "panels.hpp"
 
+#include "actions.hpp"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace drapeau {
 
@@ -17,28 +21,51 @@ constexpr ImGuiWindowFlags box_flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindow
                                        ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
                                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
 
-constexpr const char* keys[][2] = {{"Left drag", "turn"},
-                                   {"Right drag", "move"},
-                                   {"Wheel, + and -", "closer, further"},
-                                   {"Double click, Home", "the first view"},
-                                   {"Arrows", "turn"},
-                                   {"Space", "pause, go on"},
-                                   {".", "one step"},
-                                   {"R", "restart"},
-                                   {"T", "texture"},
-                                   {"S", "springs"},
-                                   {"D", "diagonal springs"},
-                                   {"F", "force colours"},
-                                   {"M", "masses"},
-                                   {"C", "cloth"},
-                                   {"G", "reference ghost"},
-                                   {"H", "hide, show the panel"},
-                                   {"O", "scenes to open"},
-                                   {"P", "screenshot"},
-                                   {"F1", "this list"},
-                                   {"Esc", "close what is open, or cancel"},
-                                   {"Ctrl Q", "quit"},
-                                   {"Drop a file", "an image or a scene"}};
+constexpr const char* mouse[][2] = {{"Left drag", "turn"},
+                                    {"Right drag", "move"},
+                                    {"Wheel", "closer, further"},
+                                    {"Double click", "the first view"},
+                                    {"Drop a file", "an image or a scene"}};
+
+struct KeyLine {
+    std::string key, does;
+};
+
+/// A line for each key; actions that share one stand together in the table.
+std::vector<KeyLine> key_lines() {
+    std::vector<KeyLine> lines;
+    for (const auto& [way, does] : mouse) lines.push_back({way, does});
+    for (const Action& action : actions()) {
+        if (action.key.empty() || action.key == lines.back().key) continue;
+        lines.push_back({action.key, action.together.empty() ? action.does : action.together});
+    }
+    return lines;
+}
+
+/// Lines below each other, keys and what they do.
+void draw_lines(std::span<const KeyLine> lines) {
+    const float gap = 2.0f * ImGui::GetStyle().WindowPadding.x;
+    float second = 0.0f;
+    for (const KeyLine& line : lines) second = std::max(second, ImGui::CalcTextSize(line.key.c_str()).x + gap);
+    ImGui::BeginGroup();
+    for (const KeyLine& line : lines) {
+        ImGui::TextUnformatted(line.key.c_str());
+        ImGui::SameLine(second);
+        ImGui::TextDisabled("%s", line.does.c_str());
+    }
+    ImGui::EndGroup();
+}
+
+/// In two columns where there is room for them.
+void draw_keys(float room) {
+    const std::vector<KeyLine> lines = key_lines();
+    const std::span<const KeyLine> all(lines);
+    const std::size_t half = room > 55.0f * ImGui::GetFontSize() ? (lines.size() + 1) / 2 : lines.size();
+    draw_lines(all.first(half));
+    if (half == lines.size()) return;
+    ImGui::SameLine(0.0f, 2.0f * ImGui::GetStyle().WindowPadding.x);
+    draw_lines(all.subspan(half));
+}
 
 Area claim_window(AppState& app) {
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
@@ -132,11 +159,11 @@ void draw_question(AppState& app, Widgets& widgets) {
     ImGui::PushTextWrapPos(width - 30.0f * scale);
     ImGui::TextUnformatted(printable(app.question->text).c_str());
     ImGui::PopTextWrapPos();
-    const bool agreed =
-        widgets.button("Overwrite", "What the file holds is replaced. Key Enter", 0.0f, "Overwrite (Enter)");
+    const Question& question = *app.question;
+    const bool agreed = widgets.button(question.answer.c_str(), (question.tip + " Key Enter").c_str(), 0.0f,
+                                       (question.answer + " (Enter)").c_str());
     ImGui::SameLine();
-    const bool declined =
-        widgets.button("Cancel", "Nothing is saved, and the file stays as it is. Key Esc", 0.0f, "Cancel (Esc)");
+    const bool declined = widgets.button("Cancel", "Everything stays as it is. Key Esc", 0.0f, "Cancel (Esc)");
     claim_window(app);
     ImGui::End();
     if (agreed) agree(app);
@@ -164,12 +191,7 @@ void draw_help(AppState& app, Widgets& widgets) {
     ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, (view.y0 + view.y1) / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {view.width(), view.height()});  // scrolls where it is cut off
     ImGui::Begin("keys", nullptr, box_flags);
-    const float second = ImGui::CalcTextSize("Double click, Home   ").x + ImGui::GetStyle().WindowPadding.x;
-    for (const auto& [key, meaning] : keys) {
-        ImGui::TextUnformatted(key);
-        ImGui::SameLine(second);
-        ImGui::TextDisabled("%s", meaning);
-    }
+    draw_keys(view.width());
     ImGui::Spacing();
     if (widgets.button("Close keys", "Key Esc")) app.help_shown = false;
     claim_window(app);

@@ -15,12 +15,20 @@ namespace {
 
 void choose_scene(AppState& app, Widgets& widgets) {
     const auto stem = app.scene_file.stem().string();
-    const auto found = std::find(app.scene_names.begin(), app.scene_names.end(), stem);
+    const auto& recent = app.remembered.recent_scenes;
+    const auto shipped = app.scene_names.size();
     std::vector<std::string> names = app.scene_names;
-    int index = int(found - app.scene_names.begin());
-    if (found == app.scene_names.end()) names.push_back(stem);
+    for (const std::string& name : shown_names(recent, false, app.scene_names)) names.push_back(name);
+    const auto opened = std::find(recent.begin(), recent.end(), app.scene_file.string());
+    const bool is_recent = opened != recent.end();
+    auto found = std::find(names.begin(), names.end(), stem);
+    if (is_recent) found = names.begin() + std::ptrdiff_t(shipped) + (opened - recent.begin());
+    int index = int(found - names.begin());
+    if (found == names.end()) names.push_back(stem);
     const std::string tip = "A scene sets everything at once. A scene file can also be dropped on the window.";
-    if (widgets.choice("Scene", index, names, -1, tip.c_str())) app.commands.load_scene = names[std::size_t(index)];
+    if (!widgets.choice("Scene", index, names, -1, tip.c_str())) return;
+    const auto at = std::size_t(index);
+    app.commands.load_scene = at >= shipped && at < shipped + recent.size() ? recent[at - shipped] : names[at];
 }
 
 void choose_view(AppState& app, Widgets& widgets) {
@@ -54,7 +62,8 @@ void choose_view(AppState& app, Widgets& widgets) {
 void draw_play(AppState& app, Widgets& widgets) {
     choose_scene(app, widgets);
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
-    const float quarter = (ImGui::GetContentRegionAvail().x - 3.0f * spacing) / 4.0f;
+    const float quarter = (ImGui::GetContentRegionAvail().x - 5.0f * spacing - 2.0f * ImGui::GetFrameHeight()) / 4.0f;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, ImGui::GetStyle().FramePadding.y});
     if (widgets.button("Pause", "Stops simulated time, or lets it go on. Key Space", quarter,
                        app.paused ? "Go on###pause" : "Pause###pause"))
         app.paused = !app.paused;
@@ -66,6 +75,9 @@ void draw_play(AppState& app, Widgets& widgets) {
     ImGui::SameLine();
     if (widgets.button("Scenes", "Shows every scene that ships, to choose from. Key O", quarter))
         app.scenes_shown = !app.scenes_shown;
+    ImGui::SameLine();
+    draw_history(app, widgets);
+    ImGui::PopStyleVar();
     ImGui::Spacing();
     choose_view(app, widgets);
 }

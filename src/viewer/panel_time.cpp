@@ -80,6 +80,12 @@ void draw_time_page(AppState& app, PanelMemory& memory, Widgets& widgets) {
         app.commands.screenshot = true;
     ImGui::SameLine();
     if (widgets.button("Keys", "The list of keys. Key F1", half)) app.help_shown = !app.help_shown;
+    if (widgets.button("Find", "Finds an action, a setting, a scene or a flag by its name. Key Ctrl P", half))
+        app.palette = {.open = true};
+    ImGui::SameLine();
+    if (widgets.button("Reset to defaults", "Forgets what the window remembers between runs. Asks before it does.",
+                       half))
+        ask_to_forget(app);
 }
 
 }  // namespace drapeau

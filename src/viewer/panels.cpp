@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <iterator>
 #include <string>
 
 namespace drapeau {
@@ -52,16 +53,17 @@ void draw_panel(AppState& app, PanelMemory& memory, Widgets& widgets) {
         app.toggle_panel();
     draw_play(app, widgets);
 
+    if (app.mark && app.mark->page >= 0 && !app.mark->scrolled) memory.page = app.mark->page;
+
     // Pages share the row equally; readings stay in sight below whichever is open.
     ImGui::Spacing();
-    static constexpr const char* names[] = {"Flag", "Springs", "Wind", "Time", "Trade"};
-    constexpr int count = 5;
+    constexpr int count = int(std::size(page_names));
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     const float width = (ImGui::GetContentRegionAvail().x - (count - 1) * spacing) / count;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, ImGui::GetStyle().FramePadding.y});
     for (int i = 0; i < count; ++i) {
         if (i > 0) ImGui::SameLine();
-        if (widgets.page(names[i], memory.page == i, width)) memory.page = i;
+        if (widgets.page(page_names[i], memory.page == i, width)) memory.page = i;
     }
     ImGui::PopStyleVar();
     ImGui::Spacing();
@@ -85,7 +87,7 @@ void draw_opener(AppState& app, Widgets& widgets) {
 }  // namespace
 
 void draw_panels(AppState& app, PanelMemory& memory, UiMap& map) {
-    Widgets widgets(map);
+    Widgets widgets(map, app.mark);
     app.claimed.clear();
     if (app.panel_open()) {
         draw_panel(app, memory, widgets);
@@ -99,6 +101,8 @@ void draw_panels(AppState& app, PanelMemory& memory, UiMap& map) {
     draw_message(app, widgets);
     draw_help(app, widgets);
     draw_question(app, widgets);
+    draw_palette(app, widgets);
+    if (app.mark && (app.mark->seconds_left -= double(ImGui::GetIO().DeltaTime)) <= 0.0) app.mark.reset();
     draw_activity(app);
 }
 

@@ -9,6 +9,8 @@
 
 namespace drapeau {
 
+inline constexpr const char* page_names[] = {"Flag", "Springs", "Wind", "Time", "Trade"};
+
 /// What the panels remember between frames.
 struct PanelMemory {
     int page = 0;
@@ -20,6 +22,7 @@ void draw_panels(AppState& app, PanelMemory& memory, UiMap& map);
 
 // The panel's parts, each in a file of its own.
 void draw_play(AppState& app, Widgets& widgets);
+void draw_history(AppState& app, Widgets& widgets);
 void draw_flag_page(AppState& app, PanelMemory& memory, Widgets& widgets);
 void draw_flag_gallery(AppState& app, Widgets& widgets);
 void draw_scene_gallery(AppState& app, Widgets& widgets);
@@ -32,6 +35,7 @@ void draw_readings(const AppState& app, Widgets& widgets);
 void draw_message(AppState& app, Widgets& widgets);
 void draw_question(AppState& app, Widgets& widgets);
 void draw_activity(const AppState& app);
+void draw_palette(AppState& app, Widgets& widgets);
 void draw_help(AppState& app, Widgets& widgets);
 void draw_legend(const AppState& app);
 

@@ -12,7 +12,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t most_own_images = 12;
 constexpr std::size_t longest_opening = 2000;  // characters looked at
 
 std::string beginning_of(const fs::path& file) {
@@ -50,14 +49,6 @@ std::vector<SceneCard> scene_cards() {
                          .picture = fs::is_regular_file(picture, failure) ? picture : fs::path()});
     }
     return cards;
-}
-
-void remember_image(AppState& app, const fs::path& file) {
-    const auto ships = [&](const fs::path& other) { return other == file; };
-    if (file.empty() || std::any_of(app.texture_files.begin(), app.texture_files.end(), ships)) return;
-    std::erase(app.own_images, file);
-    app.own_images.insert(app.own_images.begin(), file);
-    if (app.own_images.size() > most_own_images) app.own_images.resize(most_own_images);
 }
 
 }  // namespace drapeau

@@ -40,6 +40,8 @@
 //   flag             x0 y0 x1 y1 around the masses as drawn now
 //   resting          1 while the next frame waits for an event or for time to pass, because nothing changes
 //   help             1 while the list of keys is shown
+//   palette          1 while the command palette is open
+//   undo redo        what would be undone or redone, or nothing
 //   force_scale      newtons of the reddest colour of the force colours
 //   measuring        the share that is done of a measurement under way, or nothing
 //   gl_errors        OpenGL errors since the start (debug context)

@@ -40,13 +40,6 @@ float pixels_per_unit(const Window& window) {
     return float(window.framebuffer_size().x) / float(std::max(1, window.size().x));
 }
 
-void preset_view(const Options& options, ViewSettings& view) {
-    if (options.springs) view.springs = true;
-    if (options.forces) view.forces = true;
-    if (options.masses) view.masses = true;
-    if (options.no_texture) view.texture = false;
-}
-
 /// The scene with what the command line says instead, and whether the files asked for can be written.
 LoadedScene loaded_for(const Options& options) {
     std::vector<Assignment> assignments;
@@ -85,6 +78,13 @@ Simulation first_simulation(Scene scene, bool repeatable) {
 
 }  // namespace
 
+void preset_view(const Options& options, ViewSettings& view) {
+    if (options.springs) view.springs = true;
+    if (options.forces) view.forces = true;
+    if (options.masses) view.masses = true;
+    if (options.no_texture) view.texture = false;
+}
+
 Viewer::Viewer(const Options& options) : Viewer(options, loaded_for(options)) {}
 
 Viewer::Viewer(const Options& options, LoadedScene loaded)
@@ -97,14 +97,16 @@ Viewer::Viewer(const Options& options, LoadedScene loaded)
       film_(options.film.empty() ? nullptr : std::make_unique<Film>(options.film, options.width, options.height, 60)),
       simulation_(first_simulation(loaded.scene, repeatable()), simulation_threads(std::thread::hardware_concurrency()),
                   repeatable() ? ErrorWatch::Mode::awaited : ErrorWatch::Mode::aside) {
-    if (!into_files(options)) window_.show(options.width, options.height, !options.size_given && !repeatable());
+    recall();
+    if (!into_files(options)) window_.show(options_.width, options_.height, !options.size_given && !repeatable());
     app_.scene_names = shipped_scenes();
     app_.texture_files = shipped_pictures();
     app_.scene_cards = scene_cards();
-    app_.panel_shown = !options.hide_ui;
+    app_.panel_shown = !options.hide_ui && app_.remembered.panel;
     app_.status.clock = !repeatable();
     if (options.azimuth) camera_.azimuth = *options.azimuth;
     if (options.elevation) camera_.elevation = *options.elevation;
+    first_file_ = loaded.file;
     adopt(std::move(loaded));
     sent_ = app_.scene;
     if (sent_.flag.start == Start::hanging && !repeatable()) simulation_.restart(sent_, ++revision_);
@@ -133,10 +135,10 @@ bool Viewer::picture_wanted() const {
 }
 
 void Viewer::input() {
-    const std::vector<InputEvent> events = window_.poll(rest_seconds_);
+    const std::vector<InputEvent> events = wait_for_events();
     // Time at rest is none that the run could be behind.
     if (rest_seconds_ > 0.0 && !runs()) last_time_ = glfwGetTime();
-    had_events_ = !events.empty();
+    had_events_ = !events.empty() || file_changed_;
     hidden_ = !repeatable() && window_.hidden();
     if (!repeatable()) target_.resize(window_.framebuffer_size().x, window_.framebuffer_size().y);
     const float pixels = float(target_.width()) / std::max(1.0f, size().x);
@@ -153,18 +155,25 @@ void Viewer::exchange() {
     last_time_ = now;
     wall_ += passed;
 
+    note_changes();
+    undo_wanted();
+    reload_wanted();
+    clipboard_wanted();
     load_wanted();
     save_wanted();
     use_safe_step();
     measure_wanted();
+    note_changes();
     send_settings();
     if (app_.commands.step && app_.paused) simulation_.ask_step();
     const bool screenshot = app_.commands.screenshot;
+    remember();
     app_.commands = {};
     app_.commands.screenshot = screenshot;
     if (runs()) simulation_.ask_batches(repeatable() ? 1 : pacer_.batches(passed, simulation_.backlog()));
     if (repeatable()) simulation_.wait();
     receive(passed);
+    app_.history.amend(entry_now());
 }
 
 void Viewer::use_safe_step() {

@@ -18,6 +18,7 @@
 #include "renderer.hpp"
 #include "rest.hpp"
 #include "run_messages.hpp"
+#include "scene_watch.hpp"
 #include "simulation_thread.hpp"
 #include "thumbnail_textures.hpp"
 #include "ui_map.hpp"
@@ -28,9 +29,13 @@
 
 namespace drapeau {
 
+/// What the command line says of the view.
+void preset_view(const Options& options, ViewSettings& view);
+
 class Viewer {
 public:
     explicit Viewer(const Options& options);
+    ~Viewer();
 
     bool running() const;
     void input();     // mouse and keys, to camera and settings
@@ -68,6 +73,19 @@ private:
     void take_screenshot(const std::filesystem::path& file);
     void write_map();
 
+    // What is remembered (viewer_memory.cpp).
+    void recall();  // between runs
+    void remember();
+    void save_remembered();
+    void note_changes();  // of settings
+    History::Entry entry_now() const;
+    void undo_wanted();
+    void restore_image(const std::filesystem::path& file);
+    std::vector<InputEvent> wait_for_events();  // or for a scene file that is saved elsewhere
+    void reload_wanted();
+    void set_scene(Scene scene);
+    void clipboard_wanted();
+
     Options options_;
     UiMap map_;
     Window window_;
@@ -99,6 +117,15 @@ private:
     Rest rest_;
     double rest_seconds_ = 0.0;  // before the next frame
     bool had_events_ = false, hidden_ = false;
+
+    SceneWatch watch_;
+    bool file_changed_ = false;
+    std::filesystem::path first_file_;      // the scene's that the command line speaks of
+    std::filesystem::path restored_image_;  // that is being loaded for settings that name it already
+    std::filesystem::path settings_file_;   // empty: nothing is remembered
+    UserSettings kept_settings_;            // as they are in the file
+    double saved_settings_at_ = 0.0;        // s of wall-clock
+    glm::ivec2 passing_size_{0};            // a window's size that is not to be remembered
 
     int frame_ = 0;
     double last_time_ = 0.0;  // s of wall-clock

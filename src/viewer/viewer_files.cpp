@@ -5,14 +5,17 @@
 
 #include "io/error.hpp"
 #include "io/given_path.hpp"
+#include "io/output_file.hpp"
 #include "io/terminal.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace drapeau {
 
 void Viewer::load_wanted() {
     const Commands& commands = app_.commands;
+    if (commands.load_texture) restored_image_.clear();
     if (commands.load_texture && meant_path(*commands.load_texture).empty()) {
         loader_.forget_image();
         wear({}, std::nullopt);
@@ -30,10 +33,15 @@ void Viewer::load_wanted() {
 // Files that cannot be used leave everything as it was, with a message.
 void Viewer::use(Loaded loaded) {
     if (!loaded.fault.empty()) {
+        if (!loaded.is_scene) restored_image_.clear();
         say(app_, loaded.is_scene ? Message::Cause::scene : Message::Cause::image, loaded.fault, true);
     } else if (loaded.is_scene) {
+        restored_image_.clear();
         opening_ = std::move(loaded.scene);
         simulation_.restart(opening_->scene, ++revision_);
+    } else if (!restored_image_.empty()) {
+        set_image(loaded.file, std::move(loaded.image));
+        restored_image_.clear();
     } else {
         wear(loaded.file, std::move(loaded.image));
         app_.scene.view.texture = true;
@@ -67,6 +75,8 @@ void Viewer::save_wanted() {
 void Viewer::save(const std::filesystem::path& file) {
     const Saved saved = save_scene(app_.scene, file, app_.texture_file);
     app_.saved_files.push_back(saved.file);
+    remember_file(app_.remembered.recent_scenes, saved.file);
+    if (is_same_file(saved.file.string(), watch_.file().string())) watch_.accept();
     const char* without = " without its image: a scene file holds no such file name";
     say(app_, Message::Cause::save, "Saved " + saved.file.string() + (saved.without_image ? without : ""),
         saved.without_image);
@@ -82,6 +92,12 @@ void Viewer::adopt(LoadedScene loaded) {
     if (!loaded.fault.empty()) say(app_, Message::Cause::image, loaded.fault, true);
     if (!loaded.fault.empty() && repeatable()) complain("drapeau", loaded.fault);
     window_.set_title("drapeau \xe2\x80\x93 " + printable(loaded.scene.name));
+    watch_.begin(loaded.file);
+    const auto folder = assets_directory() / "scenes";
+    std::error_code failure;
+    if (!std::filesystem::equivalent(loaded.file.parent_path(), folder, failure))
+        remember_file(app_.remembered.recent_scenes, loaded.file);
+    app_.history.begin(entry_now());
 }
 
 void Viewer::set_image(const std::filesystem::path& file, std::optional<Image> image) {
@@ -92,7 +108,9 @@ void Viewer::set_image(const std::filesystem::path& file, std::optional<Image> i
         renderer_.texture().clear();
     close_if(app_.message, Message::Cause::image);
     app_.texture_file = file;
-    remember_image(app_, file);
+    const auto& shipped = app_.texture_files;
+    if (!file.empty() && std::find(shipped.begin(), shipped.end(), file) == shipped.end())
+        remember_file(app_.remembered.recent_images, file);
     app_.status.image_has_holes = renderer_.texture().has_holes();
 }
 

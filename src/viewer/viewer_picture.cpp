@@ -102,6 +102,7 @@ void Viewer::draw() {
 void Viewer::panels() {
     if (picture_wanted()) target_.begin_panels();
     draw_panels(app_, panel_memory_, map_);
+    note_changes();
     gui_.draw();
 }
 
@@ -126,7 +127,7 @@ void Viewer::present() {
 
 Activity Viewer::activity() const {
     const Message& message = app_.message;
-    return {.events = had_events_ || gui_.has_waiting_keys(),
+    return {.events = had_events_ || gui_.has_waiting_keys() || app_.mark,
             .runs = runs(),
             .simulation = !simulation_.idle() || opening_ || !app_.status.loading.empty() || loader_.makes_small() || measuring_.under_way(),
             .hidden = hidden_,
@@ -178,6 +179,9 @@ void Viewer::write_map() {
     map_.state("flag", written(around_masses(moment_.snapshot.position, to_clip, size())));
     map_.state("resting", rest_seconds_ > 0.0 ? "1" : "0");
     map_.state("help", app_.help_shown ? "1" : "0");
+    map_.state("palette", app_.palette.open ? "1" : "0");
+    map_.state("undo", app_.history.undone());
+    map_.state("redo", app_.history.redone());
     map_.state("force_scale", status.force_scale);
     map_.state("reference_mm", status.reference ? 1e3 * status.reference->rms : -1.0);
     map_.state("measuring", app_.findings.under_way ? rounded(app_.findings.share, 3) : "");

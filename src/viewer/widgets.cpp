@@ -44,7 +44,19 @@ void Widgets::note_area(const char* label, const ImVec2& low, const ImVec2& high
     map_.control(label, low.x, low.y, high.x, high.y, value);
 }
 
+// A control that was looked for comes into sight and is framed, until the frame fades.
+void Widgets::frame_if_marked(const char* label) {
+    if (!mark_ || !mark_->means(label)) return;
+    if (!mark_->scrolled) ImGui::SetScrollHereY(0.5f);
+    mark_->scrolled = true;
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    ImVec4 color = amber;
+    color.w = float(std::clamp(mark_->seconds_left, 0.0, 1.0));
+    ImGui::GetWindowDrawList()->AddRect(low, high, ImGui::GetColorU32(color), 4.0f, 0, 2.0f);
+}
+
 void Widgets::note(const char* label, const std::string& value) {
+    frame_if_marked(label);
     note_area(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), value);
 }
 

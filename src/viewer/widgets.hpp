@@ -2,6 +2,7 @@
 // its default where it differs from it, and a line in the UI map.
 #pragma once
 
+#include "palette.hpp"
 #include "ui_map.hpp"
 
 #include <optional>
@@ -21,7 +22,8 @@ struct SliderScale {
 
 class Widgets {
 public:
-    explicit Widgets(UiMap& map) : map_(map) {}
+    /// `mark`: the control that is framed, if one is.
+    Widgets(UiMap& map, std::optional<Mark>& mark) : map_(map), mark_(mark) {}
 
     bool slider(const char* label, double& value, const SliderScale& scale, double origin, const char* tip);
     bool slider(const char* label, int& value, int low, int high, int origin, const char* tip);
@@ -60,8 +62,10 @@ private:
     float control_width() const;
     bool back_arrow(const char* label, bool differs);
     void tip(const char* text) const;
+    void frame_if_marked(const char* label);  // the last item
 
     UiMap& map_;
+    std::optional<Mark>& mark_;
     std::string correction_;
 };
 

@@ -102,6 +102,7 @@ void on_key(GLFWwindow* window, int code, int scancode, int action, int modifier
     event.letter = letter_of(code, scancode);
     event.code = event.letter ? GLFW_KEY_A + event.letter - 'a' : is_us_letter(code) ? GLFW_KEY_UNKNOWN : code;
     event.control = modifiers & GLFW_MOD_CONTROL;
+    event.shift = modifiers & GLFW_MOD_SHIFT;
     event.desktop = modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER);
 }
 

@@ -77,8 +77,9 @@ Surroundings at_home_in(const TemporaryFolder& home, const Surroundings& surroun
     return with_home;
 }
 
-App::App(const Screen& screen, const std::vector<std::string>& arguments) : screen_(screen) {
-    Surroundings surroundings = at_home_in(folder_, screen.surroundings());
+App::App(const Screen& screen, const std::vector<std::string>& arguments, const TemporaryFolder* home)
+    : screen_(screen) {
+    Surroundings surroundings = at_home_in(home ? *home : folder_, screen.surroundings());
     surroundings.variables["DRAPEAU_UI_MAP"] = (folder_ / "ui-map").string();
     std::vector<std::string> command{program()};
     command.insert(command.end(), arguments.begin(), arguments.end());

@@ -47,8 +47,9 @@ enum class Button { left = 1, middle = 2, right = 3 };
 
 class App {
 public:
-    /// Starts the program on `screen` and waits until it has drawn.
-    App(const Screen& screen, const std::vector<std::string>& arguments);
+    /// Starts the program on `screen` and waits until it has drawn. `home`: where it finds what it remembers; null is a
+    /// home of its own, without settings.
+    App(const Screen& screen, const std::vector<std::string>& arguments, const TemporaryFolder* home = nullptr);
     ~App();
 
     /// The latest frame's records.

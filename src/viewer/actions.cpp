@@ -1,0 +1,138 @@
+#include "actions.hpp"
+
+#include <algorithm>
+
+namespace drapeau {
+
+namespace {
+
+constexpr float arrow_pixels = 20.0f;  // an arrow key turns as far as this drag
+
+void toggle(bool& value) {
+    value = !value;
+}
+
+std::vector<Action> all_actions() {
+    return {
+        {"the first view",
+         "Home",
+         {{.key = Key::home}},
+         [](AppState& app, Camera&) { app.commands.reset_camera = true; }},
+        {"turn left",
+         "Arrows",
+         {{.key = Key::left}},
+         [](AppState&, Camera& camera) {
+             camera.turn({-arrow_pixels, 0.0f});
+         },
+         "turn"},
+        {"turn right",
+         "Arrows",
+         {{.key = Key::right}},
+         [](AppState&, Camera& camera) {
+             camera.turn({arrow_pixels, 0.0f});
+         }},
+        {"turn up",
+         "Arrows",
+         {{.key = Key::up}},
+         [](AppState&, Camera& camera) {
+             camera.turn({0.0f, -arrow_pixels});
+         }},
+        {"turn down",
+         "Arrows",
+         {{.key = Key::down}},
+         [](AppState&, Camera& camera) {
+             camera.turn({0.0f, arrow_pixels});
+         }},
+        {"closer",
+         "+ and -",
+         {{.key = Key::keypad_add}, {.typed = U'+'}, {.typed = U'='}},
+         [](AppState&, Camera& camera) { camera.closer(1.0f); },
+         "closer, further"},
+        {"further",
+         "+ and -",
+         {{.key = Key::keypad_subtract}, {.typed = U'-'}},
+         [](AppState&, Camera& camera) { camera.closer(-1.0f); }},
+        {"pause, go on", "Space", {{.key = Key::space}}, [](AppState& app, Camera&) { toggle(app.paused); }},
+        {"one step",
+         ".",
+         {{.key = Key::keypad_decimal}, {.typed = U'.'}},
+         [](AppState& app, Camera&) { app.commands.step = true; }},
+        {"restart", "R", {{.letter = 'r'}}, [](AppState& app, Camera&) { app.commands.restart = true; }},
+        {"undo the last setting",
+         "Ctrl Z",
+         {{.letter = 'z', .control = true}},
+         [](AppState& app, Camera&) { app.commands.undo = true; }},
+        {"redo it",
+         "Ctrl Shift Z, Ctrl Y",
+         {{.letter = 'z', .control = true, .shift = true}, {.letter = 'y', .control = true}},
+         [](AppState& app, Camera&) { app.commands.redo = true; }},
+        {"texture", "T", {{.letter = 't'}}, [](AppState& app, Camera&) { toggle(app.scene.view.texture); }},
+        {"springs", "S", {{.letter = 's'}}, [](AppState& app, Camera&) { toggle(app.scene.view.springs); }},
+        {"diagonal springs", "D", {{.letter = 'd'}}, [](AppState& app, Camera&) { toggle_diagonals(app); }},
+        {"force colours", "F", {{.letter = 'f'}}, [](AppState& app, Camera&) { toggle(app.scene.view.forces); }},
+        {"masses", "M", {{.letter = 'm'}}, [](AppState& app, Camera&) { toggle(app.scene.view.masses); }},
+        {"cloth", "C", {{.letter = 'c'}}, [](AppState& app, Camera&) { toggle(app.scene.view.cloth); }},
+        {"reference ghost", "G", {{.letter = 'g'}}, [](AppState& app, Camera&) { toggle(app.scene.view.reference); }},
+        {"hide, show the panel", "H", {{.letter = 'h'}}, [](AppState& app, Camera&) { app.toggle_panel(); }},
+        {"scenes to open", "O", {{.letter = 'o'}}, [](AppState& app, Camera&) { toggle(app.scenes_shown); }},
+        {"find an action, a setting, a scene or a flag",
+         "Ctrl P",
+         {{.letter = 'p', .control = true}},
+         [](AppState& app, Camera&) { app.palette = {.open = true}; }},
+        {"copy the scene as text",
+         "Ctrl C",
+         {{.letter = 'c', .control = true}},
+         [](AppState& app, Camera&) { app.commands.copy_scene = true; }},
+        {"paste a scene",
+         "Ctrl V",
+         {{.letter = 'v', .control = true}},
+         [](AppState& app, Camera&) { app.commands.paste_scene = true; }},
+        {"screenshot", "P", {{.letter = 'p'}}, [](AppState& app, Camera&) { app.commands.screenshot = true; }},
+        {"list of keys", "F1", {{.key = Key::f1}}, [](AppState& app, Camera&) { toggle(app.help_shown); }},
+        {"close what is open, or cancel",
+         "Esc",
+         {{.key = Key::escape}},
+         [](AppState& app, Camera&) { close_one(app); }},
+        {"agree to what is asked", "Enter", {{.key = Key::enter}}, [](AppState& app, Camera&) { agree(app); }},
+        {"quit",
+         "Ctrl Q",
+         {{.letter = 'q', .control = true}, {.letter = 'w', .control = true}},
+         [](AppState& app, Camera&) { app.quits = true; }},
+        {"set everything back to the scene's values", "", {}, [](AppState& app, Camera&) { app.scene = app.origin; }},
+        {"reset what the window remembers to defaults", "", {}, [](AppState& app, Camera&) { ask_to_forget(app); }},
+    };
+}
+
+template <class Fits>
+const Action* first_with(const Fits& fits) {
+    for (const Action& action : actions())
+        if (std::any_of(action.presses.begin(), action.presses.end(), fits)) return &action;
+    return nullptr;
+}
+
+}  // namespace
+
+std::span<const Action> actions() {
+    static const std::vector<Action> all = all_actions();
+    return all;
+}
+
+const Action* action_of(const InputEvent& event, char32_t typed) {
+    if (event.key != Key::other) return first_with([&](const Press& press) { return press.key == event.key; });
+    if (!event.control) {
+        if (event.desktop) return nullptr;
+        if (const Action* action = action_of(typed)) return action;
+    }
+    if (!event.letter) return nullptr;
+    return first_with([&](const Press& press) {
+        return press.letter == event.letter && press.control == event.control &&
+               (!event.control || press.shift == event.shift);
+    });
+}
+
+const Action* action_of(char32_t typed) {
+    if (!typed) return nullptr;
+    return first_with([&](const Press& press) { return press.typed == typed; });
+}
+
+}  // namespace drapeau
