@@ -58,6 +58,21 @@ bool named_key(Key key, AppState& app, Camera& camera) {
         case Key::keypad_decimal:
             app.commands.step = true;
             return true;
+        case Key::keypad_divide:
+            app.playback.faster(-1);
+            return true;
+        case Key::keypad_multiply:
+            app.playback.faster(1);
+            return true;
+        case Key::page_up:
+            app.commands.travel.seconds = -1;
+            return true;
+        case Key::page_down:
+            app.commands.travel.seconds = 1;
+            return true;
+        case Key::backspace:
+            app.commands.travel.backwards = true;
+            return true;
         case Key::escape:
             close_one(app);
             return true;
@@ -75,6 +90,18 @@ bool symbol(char32_t typed, AppState& app, Camera& camera) {
     switch (typed) {
         case U'.':
             app.commands.step = true;
+            return true;
+        case U',':
+            app.commands.travel.frames = -1;
+            return true;
+        case U'[':
+            app.playback.faster(-1);
+            return true;
+        case U']':
+            app.playback.faster(1);
+            return true;
+        case U'1':
+            app.playback.rung = real_time;
             return true;
         case U'+':
         case U'=':
@@ -117,6 +144,9 @@ void letter_key(char letter, AppState& app) {
             break;
         case 'h':
             app.toggle_panel();
+            break;
+        case 'n':
+            app.commands.travel.frames = 1;
             break;
         case 'p':
             app.commands.screenshot = true;

@@ -56,13 +56,14 @@ void draw_play(AppState& app, Widgets& widgets) {
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     const float third = (ImGui::GetContentRegionAvail().x - 2.0f * spacing) / 3.0f;
     if (widgets.button("Pause", "Stops simulated time, or lets it go on. Key Space", third,
-                       app.paused ? "Go on###pause" : "Pause###pause"))
+                       app.paused && !app.playback.backwards ? "Go on###pause" : "Pause###pause"))
         app.paused = !app.paused;
     ImGui::SameLine();
     if (widgets.button("Step", "Takes one step of the method while paused. Key .", third)) app.commands.step = true;
     ImGui::SameLine();
     if (widgets.button("Restart", "Begins again at the scene's start, with the current settings. Key R", third))
         app.commands.restart = true;
+    draw_timeline(app, widgets);
     ImGui::Spacing();
     choose_view(app, widgets);
 }

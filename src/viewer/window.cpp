@@ -48,6 +48,16 @@ Key key_of(int code) {
             return Key::keypad_subtract;
         case GLFW_KEY_KP_DECIMAL:
             return Key::keypad_decimal;
+        case GLFW_KEY_KP_DIVIDE:
+            return Key::keypad_divide;
+        case GLFW_KEY_KP_MULTIPLY:
+            return Key::keypad_multiply;
+        case GLFW_KEY_PAGE_UP:
+            return Key::page_up;
+        case GLFW_KEY_PAGE_DOWN:
+            return Key::page_down;
+        case GLFW_KEY_BACKSPACE:
+            return Key::backspace;
         default:
             return Key::other;
     }
