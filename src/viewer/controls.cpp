@@ -65,10 +65,10 @@ bool named_key(Key key, AppState& app, Camera& camera) {
             app.playback.faster(1);
             return true;
         case Key::page_up:
-            app.commands.travel.seconds = -1;
+            --app.commands.travel.seconds;
             return true;
         case Key::page_down:
-            app.commands.travel.seconds = 1;
+            ++app.commands.travel.seconds;
             return true;
         case Key::backspace:
             app.commands.travel.backwards = true;
@@ -92,7 +92,7 @@ bool symbol(char32_t typed, AppState& app, Camera& camera) {
             app.commands.step = true;
             return true;
         case U',':
-            app.commands.travel.frames = -1;
+            --app.commands.travel.frames;
             return true;
         case U'[':
             app.playback.faster(-1);
@@ -146,7 +146,7 @@ void letter_key(char letter, AppState& app) {
             app.toggle_panel();
             break;
         case 'n':
-            app.commands.travel.frames = 1;
+            ++app.commands.travel.frames;
             break;
         case 'p':
             app.commands.screenshot = true;

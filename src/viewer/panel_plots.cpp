@@ -1,4 +1,5 @@
-// Plots: what the run's numbers were over the last ten seconds, with a mark at the moment that is looked at.
+// Plots: two in a row, what the run's numbers were over the last ten seconds, with a mark at the moment that is looked
+// at.
 #include "panels.hpp"
 
 #include "io/text.hpp"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +18,7 @@ namespace drapeau {
 namespace {
 
 constexpr double span = 10.0;         // s
-constexpr float lines_a_plot = 2.6f;  // its height, in lines of text
+constexpr float lines_a_plot = 2.5f;  // its height, in lines of text
 constexpr int plots = 5;
 
 struct Plot {
@@ -24,19 +26,34 @@ struct Plot {
     const char* unit;
     double Sample::*value;
     double shown_per_unit;
-    bool from_zero;
+    std::optional<double> from, to;  // in its unit: the range covers them
     const char* tip;
 };
 
 constexpr Plot all_plots[plots] = {
-    {"Energy", "J", &Sample::energy, 1.0, false,
+    {"Energy",
+     "J",
+     &Sample::energy,
+     1.0,
+     {},
+     {},
      "Total energy: kinetic, elastic, and of height (zero at the flag's top)."},
-    {"Greatest stretch", "%", &Sample::stretch, 100.0, true, "How much longer the longest spring is than at rest."},
-    {"Tip height", "m", &Sample::height, 1.0, false,
+    {"Max stretch", "%", &Sample::stretch, 100.0, 0.0, {}, "How much longer the longest spring is than at rest."},
+    {"Tip height",
+     "m",
+     &Sample::height,
+     1.0,
+     {},
+     {},
      "Height of the middle of the fly end, or of a chain's end, above the flag's top corner at the pole."},
-    {"Error", "mm/s", &Sample::error, 1000.0, true,
+    {"Error",
+     "mm/s",
+     &Sample::error,
+     1000.0,
+     0.0,
+     {},
      "How far the masses stray from the exact motion in a second of simulated time, measured once a second."},
-    {"Step of limit", "%", &Sample::step, 100.0, true,
+    {"Step of limit", "%", &Sample::step, 100.0, 0.0, 100.0,
      "The step as a share of the largest that is stable for the springs as they are here and now."},
 };
 
@@ -60,10 +77,11 @@ struct Range {
     double low = 0.0, high = 1.0;
 };
 
-Range range_of(const std::vector<Point>& points, bool from_zero) {
+Range range_of(const std::vector<Point>& points, const Plot& plot) {
     const auto less = [](const Point& a, const Point& b) { return a.value < b.value; };
     const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
-    Range range{from_zero ? std::min(0.0, low->value) : low->value, high->value};
+    Range range{std::min(low->value, plot.from.value_or(low->value)),
+                std::max(high->value, plot.to.value_or(high->value))};
     const double least = std::max(1e-3 * std::abs(range.high), 1e-9);  // noise of a still flag is no motion
     if (range.high - range.low < least) range = {range.low - least, range.high + least};
     return range;
@@ -76,10 +94,16 @@ double value_at(const std::vector<Point>& points, double time) {
     return later == points.begin() ? points.front().value : std::prev(later)->value;
 }
 
+/// The sample of a time, of some.
+const Sample& sample_at(const std::vector<Sample>& samples, double time) {
+    const auto later = std::upper_bound(samples.begin(), samples.end(), time + 1e-6,
+                                        [](double t, const Sample& sample) { return t < sample.time; });
+    return later == samples.begin() ? samples.front() : *std::prev(later);
+}
+
 void draw_lines(const std::vector<Point>& points, const Range& range, double from, double now, ImVec2 low,
                 ImVec2 high) {
     ImDrawList* const list = ImGui::GetWindowDrawList();
-    list->AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg), 3.0f);
     list->PushClipRect(low, high, true);
     const auto across = [&](double time) { return low.x + float((time - from) / span) * (high.x - low.x); };
     const auto up = [&](double value) {
@@ -96,36 +120,41 @@ void draw_lines(const std::vector<Point>& points, const Range& range, double fro
     list->PopClipRect();
 }
 
-void draw_plot(const Plot& plot, const Playback& play, double now, Widgets& widgets) {
-    const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight();
+/// The range, small, at the left of the lines. How much of the width it takes.
+float write_range(const Range& range, ImVec2 low, ImVec2 high) {
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    const float scale = 0.72f, size = scale * ImGui::GetFontSize(), gap = 3.0f;
+    const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+    const std::string top = rounded(range.high, 3), bottom = rounded(range.low, 3);
+    list->AddText(ImGui::GetFont(), size, {low.x + gap, low.y}, faint, top.c_str());
+    list->AddText(ImGui::GetFont(), size, {low.x + gap, high.y - size}, faint, bottom.c_str());
+    return scale * ImGui::CalcTextSize("-0.0000").x + gap;
+}
+
+void draw_plot(const Plot& plot, const Playback& play, double now, float width, Widgets& widgets) {
+    const float line = ImGui::GetTextLineHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 low{corner.x, corner.y + line}, high{corner.x + width, corner.y + lines_a_plot * line};
     ImGui::Dummy({width, lines_a_plot * line});
     const std::vector<Point> points = points_of(play.samples, plot);
-    const std::string label = std::string("Plot: ") + plot.name;
-    const std::string none = "\xe2\x80\x93";
+    const bool known = !points.empty() && std::isfinite(sample_at(play.samples, now).*plot.value);
+    const std::string value = known ? rounded(value_at(points, now), 3) + " " + plot.unit : std::string("\xe2\x80\x93");
     ImDrawList* const list = ImGui::GetWindowDrawList();
-    const ImU32 bright = ImGui::GetColorU32(ImGuiCol_Text), faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
-    const auto right = [&](const std::string& text, ImU32 color) {
-        list->AddText({corner.x + width - ImGui::CalcTextSize(text.c_str()).x, corner.y}, color, text.c_str());
-    };
-    list->AddText(corner, faint, plot.name);
-    const ImVec2 low{corner.x, corner.y + line + 1.0f}, high{corner.x + width, corner.y + lines_a_plot * line - 1.0f};
+    list->AddText(corner, ImGui::GetColorU32(ImGuiCol_TextDisabled), plot.name);
+    list->AddText({high.x - ImGui::CalcTextSize(value.c_str()).x, corner.y}, ImGui::GetColorU32(ImGuiCol_Text),
+                  value.c_str());
+    list->AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg), 3.0f);
+    std::string tip = plot.tip;
     if (points.empty()) {
-        list->AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg), 3.0f);
-        right(none, faint);
-        widgets.note(label.c_str(), none);
-        return widgets.tip(plot.tip);
+        tip += "\nNot known yet, or there is none.";
+    } else {
+        const Range range = range_of(points, plot);
+        const float left = low.x + write_range(range, low, high);
+        draw_lines(points, range, std::max(play.from, play.samples.back().time - span), now, {left, low.y}, high);
+        tip += fmt::format("\nTen seconds of simulated time, from {} {} at the bottom to {} {} at the top.",
+                           rounded(range.low, 3), plot.unit, rounded(range.high, 3), plot.unit);
     }
-    const Range range = range_of(points, plot.from_zero);
-    const std::string value = rounded(value_at(points, now), 3) + " " + plot.unit;
-    const std::string limits = rounded(range.low, 3) + " to " + rounded(range.high, 3);
-    right(value, bright);
-    const float middle = corner.x + (width - ImGui::CalcTextSize(limits.c_str()).x) * 0.55f;
-    list->AddText({middle, corner.y}, faint, limits.c_str());
-    draw_lines(points, range, std::max(play.from, play.samples.back().time - span), now, low, high);
-    widgets.note(label.c_str(), value);
-    const std::string tip = fmt::format("{}\nTen seconds of simulated time; from {} at the bottom to {} {} at the top.",
-                                        plot.tip, rounded(range.low, 3), rounded(range.high, 3), plot.unit);
+    widgets.note((std::string("Plot: ") + plot.name).c_str(), value);
     widgets.tip(tip.c_str());
 }
 
@@ -134,7 +163,7 @@ void draw_plot(const Plot& plot, const Playback& play, double now, Widgets& widg
 float plots_height(const AppState& app) {
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const float plot = lines_a_plot * ImGui::GetTextLineHeight() + spacing;
-    return ImGui::GetFrameHeight() + spacing + (app.playback.plots ? float(plots) * plot : 0.0f);
+    return ImGui::GetFrameHeight() + spacing + (app.playback.plots ? float((plots + 1) / 2) * plot : 0.0f);
 }
 
 void draw_plots(AppState& app, Widgets& widgets) {
@@ -146,7 +175,12 @@ void draw_plots(AppState& app, Widgets& widgets) {
         "Energy, stretch, the tip's height, the error and the step over the last ten seconds of simulated time.");
     if (!play.plots || play.samples.empty()) return;
     const double now = play.shown.value_or(app.status.time);
-    for (const Plot& plot : all_plots) draw_plot(plot, play, now, widgets);
+    const float gap = 2.0f * ImGui::GetStyle().ItemSpacing.x;
+    const float width = (ImGui::GetContentRegionAvail().x - gap) / 2.0f;
+    for (int n = 0; n < plots; ++n) {
+        if (n % 2 == 1) ImGui::SameLine(0.0f, gap);
+        draw_plot(all_plots[n], play, now, width, widgets);
+    }
 }
 
 }  // namespace drapeau

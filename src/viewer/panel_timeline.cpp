@@ -51,12 +51,14 @@ void draw_scrubber(AppState& app, Widgets& widgets) {
     ImGui::EndDisabled();
     widgets.note("Timeline", fmt::format("{:.4f}", shown));
     const std::string tip = fmt::format(
-        "The flight as far as it is kept: {} moments in {:.0f} of {:.0f} MB, the last seconds frame by frame and older "
+        "The flight as far as it is kept: {} moments in {:.0f} of {:.0f} MiB, the last seconds frame by frame and "
+        "older "
         "ones sparser, at most {:.0f} min. Drag to look at any; Pause (Go on) or a setting lets the flight go on from "
         "there, to the bit as it did before, and drops what came after. A moment belongs to the settings that made it: "
         "the panel shows them while it is looked at. Restart begins a new timeline.",
-        play.moments, double(play.bytes) / 1e6, double(Timeline::usual_budget) / 1e6, Timeline::longest / 60.0);
-    widgets.tip(tip.c_str());
+        play.moments, double(play.bytes) / 1048576.0, double(Timeline::usual_budget) / 1048576.0,
+        Timeline::longest / 60.0);
+    if (!ImGui::IsItemActive()) widgets.tip(tip.c_str());
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", kept.c_str());

@@ -35,7 +35,7 @@ struct Playback {
     void faster(int rungs) { rung = std::clamp(rung + rungs, 0, int(speeds.size()) - 1); }
 };
 
-/// What panels and keys ask of time in a frame.
+/// What panels and keys ask of time in a frame, all presses together.
 struct Travel {
     int frames = 0, seconds = 0;  // of simulated time; negative: back
     bool backwards = false;       // begin to play backwards, or end it

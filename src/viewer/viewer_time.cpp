@@ -110,7 +110,8 @@ void Viewer::play_backwards(double seconds) {
 void Viewer::travel(double passed) {
     Playback& play = app_.playback;
     const Travel asked = std::exchange(app_.commands.travel, {});
-    if (app_.commands.restart || app_.commands.load_scene || opening_) {
+    if (app_.commands.load_scene || opening_) return look_at_newest();
+    if (app_.commands.restart) {
         play.shown.reset(), play.backwards = false;
         looked_at_.reset();
         return;

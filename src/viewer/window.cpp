@@ -105,11 +105,13 @@ char letter_of(int code, int scancode) {
 
 void on_key(GLFWwindow* window, int code, int scancode, int action, int modifiers) {
     const Key key = key_of(code);
-    const bool repeats = key == Key::left || key == Key::right || key == Key::up || key == Key::down;
+    const char letter = letter_of(code, scancode);
+    const bool repeats = key == Key::left || key == Key::right || key == Key::up || key == Key::down ||
+                         key == Key::page_up || key == Key::page_down || letter == 'n';
     if (action == GLFW_REPEAT && !repeats) return;
     InputEvent& event = queue(window, action == GLFW_RELEASE ? Kind::key_up : Kind::key);
     event.key = key;
-    event.letter = letter_of(code, scancode);
+    event.letter = letter;
     event.code = event.letter ? GLFW_KEY_A + event.letter - 'a' : is_us_letter(code) ? GLFW_KEY_UNKNOWN : code;
     event.control = modifiers & GLFW_MOD_CONTROL;
     event.desktop = modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER);
