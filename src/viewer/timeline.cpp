@@ -9,9 +9,9 @@ namespace drapeau {
 
 namespace {
 
-constexpr double dense_seconds = 2.0;      // the age at which gaps are about twice as long as now
-constexpr double same_time = 1e-7;         // s: times that differ by rounding
-constexpr double shortest_history = 10.0;  // s, that a budget is to last for at least
+constexpr double dense_seconds = 2.0;     // the age at which gaps are about twice as long as now
+constexpr double same_time = 1e-7;        // s: times that differ by rounding
+constexpr double shortest_history = 5.0;  // s, that a budget is to last for at least
 
 }  // namespace
 

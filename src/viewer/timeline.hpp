@@ -46,7 +46,7 @@ public:
     explicit Timeline(std::size_t budget = usual_budget, double span = longest) : budget_(budget), span_(span) {}
 
     /// Whether a moment at `time` (s) is one to keep: a frame after the last, or more where so large a flag would fill
-    /// the budget within ten seconds.
+    /// the budget within five seconds.
     bool wants(double time) const;
     /// The newest from now on; those at its time and later are no part of the flight any more.
     void add(KeptMomentPtr moment);
