@@ -11,6 +11,24 @@ namespace drapeau {
 namespace {
 
 template <class Real>
+struct KeptState final : EngineState {
+    typename Stepper<Real>::Checkpoint checkpoint;
+
+    void snapshot(FieldBuffer<float>& into) const override {
+        const auto& x = checkpoint.fields[0];
+        if (into.columns() != x.columns() || into.rows() != x.rows()) into = FieldBuffer<float>(x.columns(), x.rows());
+        into.take(x);
+    }
+    std::size_t bytes() const override {
+        std::size_t sum = sizeof *this;
+        for (const auto* fields : {&checkpoint.fields, &checkpoint.held})
+            for (const auto& field : *fields)
+                for (int c = 0; c < 3; ++c) sum += sizeof field + field.component(c).size() * sizeof(Real);
+        return sum;
+    }
+};
+
+template <class Real>
 class EngineOf final : public Engine {
 public:
     EngineOf(const Model& model, Method method, bool half_kick_start)
@@ -76,11 +94,29 @@ public:
         return fastest_.look(stepper_, damping_weight, on_mass_weight, dt, looks, now);
     }
 
+    // What was handed out is not written over: others look at it.
     void save(int place) override {
-        if (place >= static_cast<int>(saved_.size())) saved_.resize(static_cast<std::size_t>(place) + 1);
-        stepper_.save(saved_[static_cast<std::size_t>(place)]);
+        Place& here = at(place);
+        if (!here.state || here.is_lent) here = {std::make_shared<KeptState<Real>>(), false};
+        stepper_.save(std::const_pointer_cast<KeptState<Real>>(here.state)->checkpoint);
     }
-    void restore(int place) override { stepper_.restore(saved_[static_cast<std::size_t>(place)]); }
+    void restore(int place) override { stepper_.restore(at(place).state->checkpoint); }
+
+    std::shared_ptr<const EngineState> keep() const override {
+        auto kept = std::make_shared<KeptState<Real>>();
+        stepper_.save(kept->checkpoint);
+        return kept;
+    }
+    std::shared_ptr<const EngineState> kept_in(int place) override {
+        at(place).is_lent = true;
+        return at(place).state;
+    }
+    void restore(const EngineState& kept) override {
+        stepper_.restore(static_cast<const KeptState<Real>&>(kept).checkpoint);
+    }
+    void put_in(int place, std::shared_ptr<const EngineState> kept) override {
+        at(place) = {std::static_pointer_cast<const KeptState<Real>>(std::move(kept)), true};
+    }
 
 private:
     static Kernels<Real> kernels_for(const Model& model, Method method, bool half_kick_start) {
@@ -96,11 +132,20 @@ private:
 
     static constexpr long long min_masses_for_threads = 4096;
 
+    struct Place {
+        std::shared_ptr<const KeptState<Real>> state;
+        bool is_lent = false;
+    };
+    Place& at(int place) {
+        if (place >= static_cast<int>(saved_.size())) saved_.resize(static_cast<std::size_t>(place) + 1);
+        return saved_[static_cast<std::size_t>(place)];
+    }
+
     double step_cost_;
     Stepper<Real> stepper_;
     bool solves_;
     FastestMode<Real> fastest_;
-    std::vector<typename Stepper<Real>::Checkpoint> saved_;
+    std::vector<Place> saved_;
 };
 
 }  // namespace

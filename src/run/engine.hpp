@@ -12,6 +12,14 @@
 
 namespace drapeau {
 
+/// Everything that the steps to come depend on, of one moment, kept outside the engine; never changed.
+class EngineState {
+public:
+    virtual ~EngineState() = default;
+    virtual void snapshot(FieldBuffer<float>& into) const = 0;  // positions (m) as the picture takes them
+    virtual std::size_t bytes() const = 0;
+};
+
 class Engine {
 public:
     virtual ~Engine() = default;
@@ -62,6 +70,13 @@ public:
     /// Everything that the steps to come depend on, kept aside in one of a few places.
     virtual void save(int place) = 0;
     virtual void restore(int place) = 0;
+
+    /// The same outside: of now, and of what a place holds (null where that is empty).
+    virtual std::shared_ptr<const EngineState> keep() const = 0;
+    virtual std::shared_ptr<const EngineState> kept_in(int place) = 0;
+    /// Goes back to what an engine of the same model, method and precision kept.
+    virtual void restore(const EngineState& kept) = 0;
+    virtual void put_in(int place, std::shared_ptr<const EngineState> kept) = 0;
 };
 
 /// What a step costs, in steps of one mass of a large cloth (some nanoseconds).

@@ -44,21 +44,53 @@ std::optional<ErrorEstimate> ErrorWatch::take(Mode mode, const std::atomic<bool>
 void ErrorWatch::begin_batch(Mode mode, Engine& engine, const TimeSettings& settings, Precision precision,
                              const Progress& now) {
     if (mode == Mode::off || job_ || batch_ % period != first) return;
+    ask(mode,
+        std::make_shared<Question>(Question{.method = settings.method,
+                                            .half_kick_start = settings.half_kick_start,
+                                            .precision = precision,
+                                            .dt = now.clock.dt,
+                                            .model = engine.model(),
+                                            .window = {engine.state(now.time()), now.time()}}),
+        batch_);
+}
+
+void ErrorWatch::ask(Mode mode, std::shared_ptr<const Question> question, long long batch) {
     auto stop = std::make_unique<std::atomic<bool>>(false);
     const bool aside = mode == Mode::aside;
-    auto work = [aside, settings, precision, dt = now.clock.dt, model = engine.model(), stop = stop.get(),
-                 window = ErrorWindow{engine.state(now.time()), now.time()}] {
+    auto work = [aside, question, stop = stop.get()] {
         if (aside) step_aside();
-        return measure_error(model, settings.method, precision, window, dt, stop, settings.half_kick_start);
+        return question->answer(stop);
     };
     try {
         // Without a thread to spare, what is waited for is computed when it is asked for.
         const auto policy = !spare_thread_ ? std::launch::deferred
                             : aside        ? std::launch::async
                                            : std::launch::async | std::launch::deferred;
-        job_ = Job{std::move(stop), std::async(policy, std::move(work)), batch_};
+        auto result = std::async(policy, std::move(work));
+        job_ = Job{std::move(question), std::move(stop), std::move(result), batch};
     } catch (const std::system_error&) {
     }
+}
+
+ErrorWatch::Kept ErrorWatch::keep() const {
+    return {batch_, job_ ? job_->batch : 0, job_ ? job_->question : nullptr};
+}
+
+void ErrorWatch::restore(const Kept& kept, Mode mode) {
+    restart();
+    batch_ = kept.batch;
+    if (kept.question) ask(mode, kept.question, kept.asked);
+}
+
+ErrorEstimate ErrorWatch::Question::answer(const std::atomic<bool>* stop) const {
+    return measure_error(model, method, precision, window, dt, stop, half_kick_start);
+}
+
+std::size_t ErrorWatch::Question::bytes() const {
+    std::size_t sum = sizeof *this;
+    for (const auto* field : {&window.state.position, &window.state.velocity})
+        for (int c = 0; c < 3; ++c) sum += field->component(c).size() * sizeof(double);
+    return sum;
 }
 
 }  // namespace drapeau

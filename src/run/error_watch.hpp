@@ -41,12 +41,35 @@ public:
     void begin_batch(Mode mode, Engine& engine, const TimeSettings& settings, Precision precision, const Progress& now);
     void end_batch() { ++batch_; }
 
+    /// All that an estimate follows from.
+    struct Question {
+        Method method{};
+        bool half_kick_start = false;
+        Precision precision{};
+        double dt = 0.0;  // s
+        Model model;
+        ErrorWindow window;
+
+        ErrorEstimate answer(const std::atomic<bool>* stop) const;
+        std::size_t bytes() const;
+    };
+    /// Where the watch stands at a moment, to go on from there: what is under way is asked again.
+    struct Kept {
+        long long batch = 0, asked = 0;
+        std::shared_ptr<const Question> question;  // null: none is under way
+    };
+    Kept keep() const;
+    void restore(const Kept& kept, Mode mode);
+
 private:
     struct Job {
+        std::shared_ptr<const Question> question;
         std::unique_ptr<std::atomic<bool>> stop;
         std::future<ErrorEstimate> result;
         long long batch = 0;
     };
+
+    void ask(Mode mode, std::shared_ptr<const Question> question, long long batch);
 
     bool spare_thread_ = true;
     long long batch_ = 0;

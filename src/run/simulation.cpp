@@ -195,4 +195,12 @@ State<double> Simulation::state() const {
     return run_->engine->state(run_->now.time());
 }
 
+std::shared_ptr<const KeptRun> Simulation::keep() const {
+    return run_->keep();
+}
+
+void Simulation::restore(const KeptRun& kept) {
+    run_->restore(*kept.parts_);
+}
+
 }  // namespace drapeau

@@ -10,6 +10,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -51,6 +52,25 @@ struct Divergence {
     double safe_dt = 0.0;     // s, a step that was tried from the same state and held; 0 if none was found
     Cause cause = Cause::past_the_limit;
     std::string message;  // one line for a person
+};
+
+/// A moment of a run, whole: positions, velocities and all else that the flight from there depends on, its scene
+/// included. Never changed.
+class KeptRun {
+public:
+    struct Parts;
+    explicit KeptRun(std::unique_ptr<const Parts> parts);
+    ~KeptRun();
+
+    double time() const;  // s
+    const Scene& scene() const;
+    void snapshot(Snapshot& into) const;
+    /// Every part with the memory it takes (bytes); moments that follow each other share some.
+    void each_part(const std::function<void(const void* part, std::size_t bytes)>& visit) const;
+
+private:
+    friend class Simulation;
+    std::unique_ptr<const Parts> parts_;
 };
 
 class Simulation {
@@ -139,6 +159,12 @@ public:
 
     /// Position and velocity of every mass at the same time. Reading it does not alter the run.
     State<double> state() const;
+
+    /// This moment, to go on from at any time later: in the run that kept it or in another, with any number of threads,
+    /// to the same bits. Throws std::bad_alloc.
+    std::shared_ptr<const KeptRun> keep() const;
+    /// Goes back (or on) to a moment and its scene. Throws where there is no memory for it, and changes nothing.
+    void restore(const KeptRun& kept);
 
 private:
     struct Run;

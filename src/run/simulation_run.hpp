@@ -12,22 +12,20 @@
 #include "drapeau/precision.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace drapeau {
 
-struct Simulation::Run {
+/// What a run is besides its masses and what is under way on other threads: all that is kept of a moment.
+struct RunState {
     Scene scene;
-    Precision precision;  // in use
-    std::unique_ptr<Engine> engine;
+    Precision precision{};  // in use
     Progress now;
     Watch watch;
-    int threads = 1;
-    bool exact = false;       // a numeric dt is used as given
-    double lowered = 1.0;     // of the usual automatic step, after energy was created
-    double lowered_at = 0.0;  // s, when that last changed
-    ErrorWatch errors;
-    ErrorWatch::Mode error_mode = ErrorWatch::Mode::off;
+    bool exact = false;                  // a numeric dt is used as given
+    double lowered = 1.0;                // of the usual automatic step, after energy was created
+    double lowered_at = 0.0;             // s, when that last changed
     std::optional<ErrorEstimate> error;  // the newest, of the step in use
     ToleranceStep tolerated;
     bool float_misses_tolerance = false;
@@ -37,9 +35,30 @@ struct Simulation::Run {
     Readings readings;               // the newest
     long long readings_batches = 0;  // batches since then
     std::string start_remark;
+    double typical_speed = 0.0;  // m/s, of the model
+    bool is_promised = true;     // the step is within the limit
+    long long batches = 0;       // since the run began
+    long long in_batch = 0;      // steps of the batch under way that are done
+    long long batch_end = 0;     // its end
+    long long steps_unseen = 0;  // since the last look at the fastest mode
+};
 
-    Run(const Scene& wanted, const State<double>& state, double time, long long steps, bool exact_dt)
-        : scene(wanted), exact(exact_dt) {
+struct KeptRun::Parts {
+    RunState run;
+    ErrorWatch::Kept errors;
+    std::shared_ptr<const EngineState> masses;
+    std::array<std::shared_ptr<const EngineState>, Watch::places> good;  // that the watch may return to
+};
+
+struct Simulation::Run : RunState {
+    std::unique_ptr<Engine> engine;
+    int threads = 1;
+    ErrorWatch errors;
+    ErrorWatch::Mode error_mode = ErrorWatch::Mode::off;
+
+    Run(const Scene& wanted, const State<double>& state, double time, long long steps, bool exact_dt) {
+        scene = wanted;
+        exact = exact_dt;
         const Model model = model_of(wanted);
         precision = chosen_precision(wanted, model, chosen_step(wanted, model, exact, 1.0));
         engine = make_engine(model, wanted.time.method, precision, wanted.time.half_kick_start);
@@ -59,17 +78,17 @@ struct Simulation::Run {
     void restart_clock(double time, long long steps) {
         now = {{time, steps, step()}, steps};
         forget_errors();
-        in_batch_ = 0;
+        in_batch = 0;
         limit = {};
-        typical_speed_ = typical_speed(engine->model());
-        is_promised_ = stable().allows(now.clock.dt);
+        typical_speed = drapeau::typical_speed(engine->model());
+        is_promised = stable().allows(now.clock.dt);
         open();
         readings_batches = max_batches;
     }
 
     /// Other places and velocities, at a time (s).
     void put(const State<double>& state, double time) {
-        const double smallest = smallest_float_step(engine->reach(state.position.at(0, 0)), typical_speed_);
+        const double smallest = smallest_float_step(engine->reach(state.position.at(0, 0)), typical_speed);
         if (precision == Precision::single_precision && !automatic())
             check_float_step(now.clock.dt, smallest, *scene.time.dt);
         engine->set(state);
@@ -116,37 +135,37 @@ struct Simulation::Run {
         const auto steps_left = [&] { return std::llround((end - now.time()) / now.clock.dt); };
         limit = {};
         for (long long left = count; left > 0;) {
-            if (in_batch_ == 0) {
+            if (in_batch == 0) {
                 const double dt = now.clock.dt;
                 haul();
                 if (!heed_errors(abandon)) return {};
                 if (now.clock.dt != dt) left = std::max(1LL, steps_left());
                 watch.begin_batch(*engine, now);
-                batch_end_ = now.next_batch();
+                batch_end = now.next_batch();
             }
-            const long long to = std::min(now.steps + left, batch_end_);
+            const long long to = std::min(now.steps + left, batch_end);
             Report report;
             const long long reached =
                 engine->advance(now.clock, now.steps, to, watch.accounted_step(), report, abandon);
             left -= reached - now.steps;
-            in_batch_ += reached - now.steps;
+            in_batch += reached - now.steps;
             now.steps = reached;
             watch.count(report);
             limit.add(report.limit);
             solves.add(report.solves);
             if (reached < to) return {};  // abandoned
-            const bool within = reached < batch_end_;
+            const bool within = reached < batch_end;
             if (!within) {
                 watch.end_batch(*engine, now);
                 ++readings_batches;
                 errors.end_batch();
-                follow_fastest_mode(in_batch_);
+                follow_fastest_mode(in_batch);
             }
             // What is handed out here. Past the limit a step may multiply anything by anything.
-            if (within || !is_promised_) watch.look_for_infinities(*engine, now);
+            if (within || !is_promised) watch.look_for_infinities(*engine, now);
             if (within && !watch.is_broken()) continue;
-            in_batch_ = 0;
-            if (++batches_ % batches_between_looks == 0 && automatic() && float_resolves_too_little()) {
+            in_batch = 0;
+            if (++batches % batches_between_looks == 0 && automatic() && float_resolves_too_little()) {
                 use_precision(Precision::double_precision);
                 restart_clock(now.time(), now.steps);
             }
@@ -169,11 +188,38 @@ struct Simulation::Run {
         for (const double end = now.time();;) {
             if (now.steps > now.clock.first && !watch.count_again(*engine, now, nullptr)) watch.look_now(*engine, now);
             if (!watch.is_broken()) return {};
-            in_batch_ = 0;
+            in_batch = 0;
             if (!may_lower()) return stopped(nullptr);
             take_back();
             if (auto divergence = advance(std::llround((end - now.time()) / now.clock.dt), nullptr)) return divergence;
         }
+    }
+
+    std::shared_ptr<const KeptRun> keep() const {
+        auto parts = std::make_unique<KeptRun::Parts>();
+        parts->run = *this;
+        parts->errors = errors.keep();
+        parts->masses = engine->keep();
+        for (int place = 0; place < Watch::places; ++place)
+            parts->good[static_cast<std::size_t>(place)] = engine->kept_in(place);
+        return std::make_shared<KeptRun>(std::move(parts));
+    }
+
+    /// Goes on from there. Threads, and how errors are measured, stay.
+    void restore(const KeptRun::Parts& kept) {
+        const bool fits = scene == kept.run.scene && precision == kept.run.precision;
+        if (!fits) {  // throws before anything is changed
+            auto next = make_engine(model_of(kept.run.scene), kept.run.scene.time.method, kept.run.precision,
+                                    kept.run.scene.time.half_kick_start);
+            next->use_threads(threads);
+            engine = std::move(next);
+        }
+        engine->restore(*kept.masses);
+        for (int place = 0; place < Watch::places; ++place)
+            engine->put_in(place, kept.good[static_cast<std::size_t>(place)]);
+        static_cast<RunState&>(*this) = kept.run;
+        if (!fits) look_at_fastest_mode(first_looks), mode = kept.run.mode;  // a new engine knows none yet
+        errors.restore(kept.errors, automatic() && scene.time.tolerance ? ErrorWatch::Mode::awaited : error_mode);
     }
 
     void use_threads(int count) {
@@ -184,7 +230,7 @@ struct Simulation::Run {
     /// Whether the step is one that float does not honour, where the masses are now.
     bool float_resolves_too_little() const {
         return precision == Precision::single_precision &&
-               now.clock.dt < smallest_float_step(engine->reach(), typical_speed_);
+               now.clock.dt < smallest_float_step(engine->reach(), typical_speed);
     }
 
     std::optional<StableStep> live_limit() const;
@@ -213,9 +259,9 @@ private:
     /// Looks at the fastest mode once for every so many steps taken, so that it costs a few per cent of them.
     void follow_fastest_mode(long long steps) {
         constexpr long long steps_a_look = 30;
-        steps_unseen_ += steps;
-        if (steps_unseen_ < steps_a_look) return;
-        steps_unseen_ = 0;
+        steps_unseen += steps;
+        if (steps_unseen < steps_a_look) return;
+        steps_unseen = 0;
         look_at_fastest_mode(1);
     }
     void look_at_fastest_mode(int looks) {
@@ -339,13 +385,6 @@ private:
         restart_clock(now.time(), now.steps);
         return true;
     }
-
-    double typical_speed_ = 0.0;  // m/s, of the model
-    bool is_promised_ = true;     // the step is within the limit
-    long long batches_ = 0;       // since the run began
-    long long in_batch_ = 0;      // steps of the batch under way that are done
-    long long batch_end_ = 0;     // its end
-    long long steps_unseen_ = 0;  // since the last look at the fastest mode
 };
 
 }  // namespace drapeau

@@ -6,6 +6,7 @@
 #include "history.hpp"
 #include "message.hpp"
 #include "palette.hpp"
+#include "playback.hpp"
 #include "run/simulation.hpp"
 #include "scene/material.hpp"
 #include "thumbnail.hpp"
@@ -22,6 +23,7 @@ namespace drapeau {
 /// What panels and keys ask main to do after this frame.
 struct Commands {
     bool step = false;
+    Travel travel;
     bool restart = false;
     bool screenshot = false;
     bool reset_camera = false;
@@ -112,6 +114,7 @@ struct AppState {
     std::optional<double> diagonals;  // N/m, or share; kept while diagonal springs are off
 
     bool paused = false;
+    Playback playback;
     bool panel_shown = true;    // where there is room for it beside the flag
     bool panel_opened = false;  // where there is none
     bool narrow = false;        // the window has no room for the panel beside the flag

@@ -22,7 +22,12 @@ enum class Key {
     down,
     keypad_add,
     keypad_subtract,
-    keypad_decimal
+    keypad_decimal,
+    keypad_divide,
+    keypad_multiply,
+    page_up,
+    page_down,
+    backspace
 };
 enum class MouseButton { left, right, middle, other };
 

@@ -15,10 +15,10 @@ constexpr double window = 1.0;       // s the averages run over
 
 }  // namespace
 
-int Pacer::batches(double seconds, int backlog) {
+int Pacer::batches(double seconds, int backlog, double speed) {
     owed_ += seconds;
     const int due = int(owed_ / batch_seconds);
-    const int granted = backlog >= max_waiting ? 0 : std::min(due, max_asked);
+    const int granted = backlog >= max_waiting * std::max(1.0, speed) ? 0 : std::min(due, max_asked);
     owed_ -= granted * batch_seconds;
     owed_ = std::min(owed_, batch_seconds);
     return granted;

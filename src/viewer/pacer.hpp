@@ -9,8 +9,9 @@ namespace drapeau {
 
 class Pacer {
 public:
-    /// Batches to ask for after `seconds` of wall-clock, with `backlog` batches not done yet.
-    int batches(double seconds, int backlog);
+    /// Batches to ask for after `seconds`, with `backlog` batches not done yet. `speed`: simulated seconds in a second
+    /// of wall-clock, of which a faster one has more under way.
+    int batches(double seconds, int backlog, double speed = 1.0);
 
     /// Called once a frame with the wall clock and the simulated time, both in s.
     void observe(double wall, double simulated);

@@ -65,7 +65,7 @@ void draw_play(AppState& app, Widgets& widgets) {
     const float quarter = (ImGui::GetContentRegionAvail().x - 5.0f * spacing - 2.0f * ImGui::GetFrameHeight()) / 4.0f;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, ImGui::GetStyle().FramePadding.y});
     if (widgets.button("Pause", "Stops simulated time, or lets it go on. Key Space", quarter,
-                       app.paused ? "Go on###pause" : "Pause###pause"))
+                       app.paused && !app.playback.backwards ? "Go on###pause" : "Pause###pause"))
         app.paused = !app.paused;
     ImGui::SameLine();
     if (widgets.button("Step", "Takes one step of the method while paused. Key .", quarter)) app.commands.step = true;
@@ -78,6 +78,7 @@ void draw_play(AppState& app, Widgets& widgets) {
     ImGui::SameLine();
     draw_history(app, widgets);
     ImGui::PopStyleVar();
+    draw_timeline(app, widgets);
     ImGui::Spacing();
     choose_view(app, widgets);
 }

@@ -21,6 +21,8 @@ constexpr const char* none = "\xe2\x80\x93";
 std::string pace_of(const AppState& app) {
     const Status& s = app.status;
     if (s.stands()) return "stopped";
+    if (app.playback.backwards) return "backwards";
+    if (app.playback.shown) return "looking back";
     if (app.paused) return "paused";
     if (!s.clock || s.real_time_factor <= 0.0) return none;
     return fmt::format("real time × {:.2f}", s.real_time_factor);

@@ -23,6 +23,9 @@ void draw_panels(AppState& app, PanelMemory& memory, UiMap& map);
 // The panel's parts, each in a file of its own.
 void draw_play(AppState& app, Widgets& widgets);
 void draw_history(AppState& app, Widgets& widgets);
+void draw_timeline(AppState& app, Widgets& widgets);
+float plots_height(const AppState& app);  // of what draw_plots shows
+void draw_plots(AppState& app, Widgets& widgets);
 void draw_flag_page(AppState& app, PanelMemory& memory, Widgets& widgets);
 void draw_flag_gallery(AppState& app, Widgets& widgets);
 void draw_scene_gallery(AppState& app, Widgets& widgets);

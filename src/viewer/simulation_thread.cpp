@@ -1,10 +1,14 @@
 #include "simulation_thread.hpp"
 
+#include "findings.hpp"
+
 #include "io/error.hpp"
+#include "measure/flight.hpp"
 #include "run/settle.hpp"
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <exception>
 #include <new>
 #include <utility>
@@ -40,6 +44,22 @@ SpringKinds kinds_of(const Model& model) {
             .diagonal = kind(model.has_diagonals(), grid.pitch_diagonal(), diagonal)};
 }
 
+Sample sample_of(const Moment& moment, const Model& model) {
+    const Tip tip = tip_of(model);
+    const Readings& r = moment.readings;
+    const auto share_of = [&](const StableStep& limit) {
+        return limit.is_finite() ? moment.dt / limit.seconds() : NAN;
+    };
+    return {.time = moment.snapshot.time,
+            .read_at = r.time,
+            .energy = r.kinetic_energy + r.spring_energy + r.gravity_energy,
+            .stretch = r.max_stretch,
+            .height = moment.snapshot.position.at(tip.column, tip.row).y,
+            .error = moment.error && moment.error->resolved() ? moment.error->rate : NAN,
+            .step = share_of(moment.live_limit && moment.live_limit->is_finite() ? *moment.live_limit
+                                                                                 : moment.stability_limit)};
+}
+
 }  // namespace
 
 int simulation_threads(unsigned processors) {
@@ -53,6 +73,7 @@ SimulationThread::SimulationThread(Simulation simulation, int threads, ErrorWatc
     failure_.reserve(longest_failure);
     now_.scene = simulation_.scene();
     publish(true);
+    keep(true);
     thread_ = std::thread([this] { work(); });
 }
 
@@ -67,17 +88,24 @@ SimulationThread::~SimulationThread() {
 }
 
 void SimulationThread::apply(const Scene& scene, long long revision) {
-    ask_change(scene, revision, false);
+    ask_change({.scene = scene, .revision = revision});
 }
 void SimulationThread::restart(const Scene& scene, long long revision) {
-    ask_change(scene, revision, true);
+    ask_change({.scene = scene, .revision = revision, .from_start = true});
+}
+void SimulationThread::go_on_from(KeptMomentPtr from, const Scene& scene, long long revision) {
+    ask_change({.scene = scene, .revision = revision, .from = std::move(from)});
 }
 
-void SimulationThread::ask_change(const Scene& scene, long long revision, bool from_start) {
+void SimulationThread::ask_change(Change change) {
     {
         const std::lock_guard lock(mutex_);
-        from_start = from_start || (change_ && change_->from_start);
-        change_ = Change{.scene = scene, .revision = revision, .from_start = from_start};
+        if (change.from) batches_ = 0, single_steps_ = 0, part_ = 0;
+        if (change_ && !change.from) {  // what was asked for before it and is not begun
+            change.from_start = change.from_start || change_->from_start;
+            if (!change.from_start) change.from = std::move(change_->from);
+        }
+        change_ = std::move(change);
         abandon_ = true;
     }
     wanted_.notify_one();
@@ -97,6 +125,19 @@ void SimulationThread::ask_step() {
         ++single_steps_;
     }
     wanted_.notify_one();
+}
+
+void SimulationThread::ask_part(long long steps) {
+    {
+        const std::lock_guard lock(mutex_);
+        part_ = steps;
+    }
+    wanted_.notify_one();
+}
+
+SimulationThread::History SimulationThread::history() const {
+    const std::lock_guard lock(mutex_);
+    return {timeline_.first(), timeline_.last(), timeline_.size(), timeline_.bytes()};
 }
 
 void SimulationThread::follow_reference(bool wanted) {
@@ -129,12 +170,12 @@ std::string SimulationThread::reference_trouble() const {
 
 int SimulationThread::backlog() const {
     const std::lock_guard lock(mutex_);
-    return batches_;
+    return batches_ + (part_ > 0 ? 1 : 0);
 }
 
 bool SimulationThread::idle() const {
     const std::lock_guard lock(mutex_);
-    return !busy_ && !change_ && batches_ == 0 && single_steps_ == 0 && !newest_ && !failure_new_ &&
+    return !busy_ && !change_ && batches_ == 0 && single_steps_ == 0 && part_ == 0 && !newest_ && !failure_new_ &&
            !reference_asked_ && !(reference_ && reference_->behind());
 }
 
@@ -157,8 +198,9 @@ bool SimulationThread::take(Moment& newest) {
 
 void SimulationThread::wait() {
     std::unique_lock lock(mutex_);
-    finished_.wait(lock,
-                   [this] { return !busy_ && !change_ && batches_ == 0 && single_steps_ == 0 && !reference_asked_; });
+    finished_.wait(lock, [this] {
+        return !busy_ && !change_ && batches_ == 0 && single_steps_ == 0 && part_ == 0 && !reference_asked_;
+    });
     const std::shared_ptr<ReferenceRun> reference = reference_;
     lock.unlock();
     if (reference) reference->wait();
@@ -168,24 +210,28 @@ void SimulationThread::wait() {
 void SimulationThread::work() {
     std::unique_lock lock(mutex_);
     while (true) {
-        wanted_.wait(lock,
-                     [this] { return ending_ || change_ || batches_ > 0 || single_steps_ > 0 || reference_asked_; });
+        wanted_.wait(lock, [this] {
+            return ending_ || change_ || batches_ > 0 || single_steps_ > 0 || part_ > 0 || reference_asked_;
+        });
         if (ending_) return;
         busy_ = true;
-        const bool reference_only = !change_ && batches_ == 0 && single_steps_ == 0;
+        const bool reference_only = !change_ && batches_ == 0 && single_steps_ == 0 && part_ == 0;
         const bool begins = std::exchange(reference_asked_, false);
         const std::optional<Change> change = std::exchange(change_, std::nullopt);
         if (change && change->scene.flag.start == Start::hanging) settles_since_ = std::chrono::steady_clock::now();
-        const bool single = !change && single_steps_ > 0;
+        int* const asked = change ? nullptr : single_steps_ > 0 ? &single_steps_ : batches_ > 0 ? &batches_ : nullptr;
+        const long long steps = asked == &single_steps_ ? 1 : asked || change ? 0 : part_;
         abandon_ = false;
         lock.unlock();
         if (begins) begin_reference();  // whatever becomes of a change, which begins one of its own
-        const bool advanced = !reference_only && carry_out(change, single);
+        const bool advanced = !reference_only && carry_out(change, steps);
         lock.lock();
         if (now_.divergence || failed_)
-            batches_ = single_steps_ = 0;
-        else if (advanced)
-            --(single ? single_steps_ : batches_);
+            batches_ = single_steps_ = 0, part_ = 0;
+        else if (advanced && asked && *asked > 0)
+            --*asked;
+        else if (advanced && !asked)
+            part_ = 0;
         settles_since_.reset();
         busy_ = false;
         finished_.notify_all();
@@ -193,16 +239,17 @@ void SimulationThread::work() {
 }
 
 // Whatever goes wrong becomes a message; the program goes on. True if time advanced.
-bool SimulationThread::carry_out(const std::optional<Change>& change, bool single_step) {
+bool SimulationThread::carry_out(const std::optional<Change>& change, long long steps) {
     bool advanced = false;
     try {
         // Readings of a few batches ago do while the flag plays, not where somebody looks at one moment.
-        const bool fresh = change || single_step;
+        const bool fresh = change || steps > 0;
         if (change)
             take_over(*change);
         else
-            advanced = advance(single_step);
+            advanced = advance(steps);
         publish(fresh || now_.divergence);
+        keep(change || steps == 1 || now_.divergence);
     } catch (const SettlingAbandoned&) {
         put_back(*change);
     } catch (const std::bad_alloc&) {
@@ -223,8 +270,12 @@ void SimulationThread::take_over(const Change& change) {
             share_among(next, sharing_);
             next.watch_error(errors_);
             simulation_ = std::move(next);
+            const std::lock_guard lock(mutex_);
+            timeline_.clear();
         } else {
-            simulation_.change(change.scene, &abandon_);
+            if (change.from) go_back(change.from);
+            if (!change.from || physics_of(change.scene) != physics_of(simulation_.scene()))
+                simulation_.change(change.scene, &abandon_);
         }
     } catch (const std::bad_alloc&) {
         now_.refusal = refusal_for_lack_of_memory(change.scene.flag);
@@ -245,6 +296,41 @@ void SimulationThread::take_over(const Change& change) {
     failed_ = false;
 }
 
+/// Masses, settings and readings as they were; what came after is no part of the flight.
+void SimulationThread::go_back(const KeptMomentPtr& from) {
+    simulation_.restore(*from->run);
+    const long long revision = now_.revision, refused = now_.refused_revision;
+    now_ = *from->moment;
+    now_.revision = revision;
+    now_.refused_revision = refused;
+    failed_ = false;
+    const std::lock_guard lock(mutex_);
+    timeline_.drop_after(from->time());
+}
+
+/// The present moment as one to come back to. It goes without where there is no memory for it.
+void SimulationThread::keep(bool whatever_the_time) noexcept {
+    {
+        const std::lock_guard lock(mutex_);
+        if (failed_ || !(whatever_the_time || timeline_.wants(simulation_.time()))) return;
+    }
+    const Sample sample = sample_of(now_, simulation_.model());
+    Snapshot aside = std::exchange(now_.snapshot, {});  // the run holds the same in full
+    KeptMomentPtr kept;
+    try {
+        kept =
+            std::make_shared<KeptMoment>(KeptMoment{simulation_.keep(), std::make_shared<const Moment>(now_), sample});
+    } catch (const std::exception&) {
+    }
+    now_.snapshot = std::move(aside);
+    const std::lock_guard lock(mutex_);
+    try {
+        if (kept) return timeline_.add(std::move(kept));
+    } catch (const std::bad_alloc&) {
+    }
+    timeline_.shrink();
+}
+
 /// A start that was abandoned for a newer change is one that the newer change still wants.
 void SimulationThread::put_back(const Change& change) {
     const std::lock_guard lock(mutex_);
@@ -262,18 +348,18 @@ void SimulationThread::share_as_chosen() {
     }
 }
 
-// False if it was abandoned for something that matters more.
-bool SimulationThread::advance(bool single_step) {
+// So many steps, or a batch where that is 0. False if it was abandoned for something that matters more.
+bool SimulationThread::advance(long long steps) {
     if (now_.divergence || failed_) return false;
     share_as_chosen();
     const auto steps_before = simulation_.steps();
     const auto begin = std::chrono::steady_clock::now();
-    now_.divergence = single_step ? simulation_.advance_steps(1, &abandon_) : simulation_.advance_batch(&abandon_);
+    now_.divergence = steps > 0 ? simulation_.advance_steps(steps, &abandon_) : simulation_.advance_batch(&abandon_);
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     const auto taken = simulation_.steps() - steps_before;
     // None or fewer: abandoned, or put back to a good state.
     if (taken > 0) now_.step_seconds = passed.count() / double(taken);
-    if (taken > 0 && !single_step) threads_.took(now_.step_seconds);
+    if (taken > 0 && steps == 0) threads_.took(now_.step_seconds);
     return taken != 0;
 }
 

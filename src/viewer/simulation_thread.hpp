@@ -6,6 +6,7 @@
 #include "run/reference_run.hpp"
 #include "run/simulation.hpp"
 #include "thread_choice.hpp"
+#include "timeline.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -16,6 +17,7 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 
 namespace drapeau {
 
@@ -64,8 +66,24 @@ public:
 
     void apply(const Scene& scene, long long revision);    // the run goes on with these settings
     void restart(const Scene& scene, long long revision);  // from the scene's start
+    /// From a kept moment, as it was but for these settings; what came after it is dropped, and so is what was asked.
+    void go_on_from(KeptMomentPtr from, const Scene& scene, long long revision);
     void ask_batches(int count);
     void ask_step();
+    void ask_part(long long steps);  // of a batch, for slow motion
+
+    /// The flight as far as it is kept. Asking never waits for the simulation.
+    struct History {
+        double from = 0.0, to = 0.0;  // s
+        std::size_t moments = 0, bytes = 0;
+    };
+    History history() const;
+    /// A question to the timeline, at once: `ask(const Timeline&)`.
+    template <class Ask>
+    auto kept(Ask&& ask) const {
+        const std::lock_guard lock(mutex_);
+        return ask(std::as_const(timeline_));
+    }
     /// Whether a reference run follows, from where the run is when it begins. It begins anew with every change.
     void follow_reference(bool wanted);
     void restart_reference();
@@ -83,15 +101,18 @@ private:
         Scene scene;
         long long revision = 0;
         bool from_start = false;
+        KeptMomentPtr from{};  // the moment to go on from; null: the present one
     };
 
-    void ask_change(const Scene& scene, long long revision, bool from_start);
+    void ask_change(Change change);
     void work();
-    bool carry_out(const std::optional<Change>& change, bool single_step);
+    bool carry_out(const std::optional<Change>& change, long long steps);
     void take_over(const Change& change);
     void put_back(const Change& change);
     void share_as_chosen();
-    bool advance(bool single_step);
+    void go_back(const KeptMomentPtr& from);
+    void keep(bool whatever_the_time) noexcept;
+    bool advance(long long steps);
     void begin_reference();
     void publish(bool fresh);
     void fail(std::string_view why) noexcept;
@@ -108,8 +129,10 @@ private:
     std::optional<Change> change_;
     std::shared_ptr<ReferenceRun> reference_;  // only the thread replaces it
     bool reference_wanted_ = false, reference_asked_ = false;
+    Timeline timeline_;
     int batches_ = 0;
     int single_steps_ = 0;
+    long long part_ = 0;  // steps
     bool busy_ = false;
     std::optional<std::chrono::steady_clock::time_point> settles_since_;  // a start that may be hanging
     bool ending_ = false;

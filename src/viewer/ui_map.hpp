@@ -22,6 +22,10 @@
 //   time             simulated seconds
 //   steps            steps since the run began
 //   paused           1 while paused, or stopped by a divergence or a failure
+//   shown            s, the kept moment that is looked at, or nothing: the newest is shown
+//   backwards        1 while what is kept plays backwards
+//   speed            simulated seconds in a second of the clock, as wanted
+//   kept_from kept_to kept  s, from when to when moments are kept, and how many
 //   diverged         1 while the run stands on its last good frame
 //   columns rows     of the masses drawn
 //   texture          path of the image on the flag, or nothing

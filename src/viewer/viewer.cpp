@@ -164,13 +164,14 @@ void Viewer::exchange() {
     use_safe_step();
     measure_wanted();
     note_changes();
+    travel(passed);
     send_settings();
     if (app_.commands.step && app_.paused) simulation_.ask_step();
     const bool screenshot = app_.commands.screenshot;
     remember();
     app_.commands = {};
     app_.commands.screenshot = screenshot;
-    if (runs()) simulation_.ask_batches(repeatable() ? 1 : pacer_.batches(passed, simulation_.backlog()));
+    if (runs()) ask_for_time(passed);
     if (repeatable()) simulation_.wait();
     receive(passed);
     app_.history.amend(entry_now());
@@ -206,6 +207,8 @@ void Viewer::send_settings() {
     const bool changed = physics_of(app_.scene) != physics_of(sent_);
     if (app_.commands.restart)
         simulation_.restart(app_.scene, ++revision_);
+    else if (changed && looked_at_)
+        go_on_from_shown();
     else if (changed)
         simulation_.apply(app_.scene, ++revision_);
     if (app_.commands.restart || changed) sent_ = app_.scene;
@@ -221,10 +224,10 @@ void Viewer::keep_proportions() {
 
 // A refused scene leaves the old one in place, on the panel too.
 void Viewer::hear_of_run() {
-    const auto answer = run_messages_.hear(moment_, revision_, app_.message);
+    const auto answer = run_messages_.hear(newest_, revision_, app_.message);
     if (answer == RunMessages::Answer::refused) {
         opening_.reset();
-        Scene kept = moment_.scene;
+        Scene kept = newest_.scene;
         kept.view = app_.scene.view;
         kept.name = app_.scene.name;
         kept.flag.texture = app_.scene.flag.texture;
@@ -237,7 +240,7 @@ void Viewer::hear_of_run() {
         camera_.reset();
         opening_.reset();
     }
-    if (!moment_.failure.empty()) opening_.reset();
+    if (!newest_.failure.empty()) opening_.reset();
 }
 
 void Viewer::receive_reference() {
@@ -256,36 +259,39 @@ void Viewer::receive_reference() {
         gap = ReferenceGap{.trouble = trouble};
 }
 
+/// The moment to the picture and the panels.
+void Viewer::show_moment() {
+    Status& status = app_.status;
+    renderer_.upload(moment_.snapshot);
+    force_scale_.follow(moment_.readings.rms_spring_force);
+    if (repeatable() && moment_.stands() && !status.stands()) complain("drapeau", app_.message.text);
+    status.readings = moment_.readings;
+    status.divergence = moment_.divergence;
+    status.failure = moment_.failure;
+    status.time = moment_.snapshot.time;
+    status.steps = moment_.snapshot.steps;
+    status.columns = moment_.snapshot.position.columns();
+    status.rows = moment_.snapshot.position.rows();
+    status.method = moment_.scene.time.method;
+    status.dt = moment_.dt;
+    status.steps_per_batch = moment_.steps_per_batch;
+    status.stability_limit = moment_.stability_limit;
+    status.live_limit = moment_.live_limit;
+    status.limit_remark = moment_.limit_remark;
+    status.method_remark = moment_.method_remark;
+    status.step_reason = moment_.step_reason;
+    status.error = moment_.error;
+    status.lowered_because = moment_.lowered_because;
+    status.precision_remark = moment_.precision_remark;
+    status.start_remark = moment_.start_remark;
+    status.limit = moment_.scene.limits.get<StretchLimit>();
+    status.step_seconds = moment_.step_seconds;
+    status.force_scale = force_scale_.newtons();
+}
+
 void Viewer::receive(double passed) {
     Status& status = app_.status;
-    if (simulation_.take(moment_)) {
-        hear_of_run();
-        renderer_.upload(moment_.snapshot);
-        force_scale_.follow(moment_.readings.rms_spring_force);
-        if (repeatable() && moment_.stands() && !status.stands()) complain("drapeau", app_.message.text);
-        status.readings = moment_.readings;
-        status.divergence = moment_.divergence;
-        status.failure = moment_.failure;
-        status.time = moment_.snapshot.time;
-        status.steps = moment_.snapshot.steps;
-        status.columns = moment_.snapshot.position.columns();
-        status.rows = moment_.snapshot.position.rows();
-        status.method = moment_.scene.time.method;
-        status.dt = moment_.dt;
-        status.steps_per_batch = moment_.steps_per_batch;
-        status.stability_limit = moment_.stability_limit;
-        status.live_limit = moment_.live_limit;
-        status.limit_remark = moment_.limit_remark;
-        status.method_remark = moment_.method_remark;
-        status.step_reason = moment_.step_reason;
-        status.error = moment_.error;
-        status.lowered_because = moment_.lowered_because;
-        status.precision_remark = moment_.precision_remark;
-        status.start_remark = moment_.start_remark;
-        status.limit = moment_.scene.limits.get<StretchLimit>();
-        status.step_seconds = moment_.step_seconds;
-        status.force_scale = force_scale_.newtons();
-    }
+    receive_moment();
     receive_reference();
     status.settling = simulation_.settling();
     if (runs())

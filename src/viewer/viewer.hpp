@@ -20,6 +20,7 @@
 #include "run_messages.hpp"
 #include "scene_watch.hpp"
 #include "simulation_thread.hpp"
+#include "slow_motion.hpp"
 #include "thumbnail_textures.hpp"
 #include "ui_map.hpp"
 #include "window.hpp"
@@ -66,6 +67,19 @@ private:
     void adopt(LoadedScene loaded);
     void set_image(const std::filesystem::path& file, std::optional<Image> image);
     void receive(double wall_seconds);
+    void receive_moment();
+    void receive_history();
+    void show_moment();
+    void travel(double passed);
+    void play_backwards(double seconds);
+    void step_to(double time);
+    void look_at(const KeptMomentPtr& kept);
+    void look_at_newest();
+    void take_settings_of(const Moment& moment);
+    void go_on_from_shown();
+    void ask_for_time(double passed);
+    double shown_time() const;
+    bool is_slow() const;
     void receive_reference();
     void measure_wanted();
     void hear_of_run();
@@ -107,7 +121,12 @@ private:
     Pacer pacer_;
     ForceScale force_scale_;
 
-    Moment moment_;
+    Moment newest_;            // of the run
+    Moment moment_;            // that is shown: the newest, one between two, or a kept one
+    KeptMomentPtr looked_at_;  // null: the newest
+    SlowMotion slow_;
+    bool picture_changed_ = false;
+    long long awaited_ = 0;        // the revision of the run that is shown next
     ReferenceRun::Gap reference_;  // as it was last compared
     Scene sent_;                   // the scene the simulation was last given
     long long revision_ = 0;       // of sent_

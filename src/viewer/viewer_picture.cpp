@@ -128,8 +128,9 @@ void Viewer::present() {
 Activity Viewer::activity() const {
     const Message& message = app_.message;
     return {.events = had_events_ || gui_.has_waiting_keys() || app_.mark,
-            .runs = runs(),
-            .simulation = !simulation_.idle() || opening_ || !app_.status.loading.empty() || loader_.makes_small() || measuring_.under_way(),
+            .runs = runs() || app_.playback.backwards,
+            .simulation = !simulation_.idle() || opening_ || !app_.status.loading.empty() || loader_.makes_small() ||
+                          measuring_.under_way(),
             .hidden = hidden_,
             .typing = ImGui::GetIO().WantTextInput,
             .message_left = message.text.empty() ? 0.0 : message.seconds_left};
@@ -156,6 +157,12 @@ void Viewer::write_map() {
     map_.state("time", status.time);
     map_.state("steps", double(status.steps));
     map_.state("paused", app_.paused || status.stands() ? "1" : "0");
+    map_.state("shown", app_.playback.shown ? rounded(*app_.playback.shown, 9) : "");
+    map_.state("backwards", app_.playback.backwards ? "1" : "0");
+    map_.state("speed", app_.playback.speed().factor);
+    map_.state("kept_from", app_.playback.from);
+    map_.state("kept_to", app_.playback.to);
+    map_.state("kept", double(app_.playback.moments));
     map_.state("diverged", status.divergence ? "1" : "0");
     map_.state("columns", status.columns);
     map_.state("rows", status.rows);

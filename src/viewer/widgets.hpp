@@ -52,6 +52,7 @@ public:
     /// The same for a place within the last item that can be clicked on its own.
     void note_place(const char* label, float x, float y, float radius);
     UiMap& map() { return map_; }
+    void tip(const char* text) const;  // of the last item of ImGui
 
     /// What was made of a number that could not be taken as it was typed; empty if all could.
     const std::string& correction() const { return correction_; }
@@ -61,7 +62,6 @@ private:
     void begin_row(const char* label, bool bright);
     float control_width() const;
     bool back_arrow(const char* label, bool differs);
-    void tip(const char* text) const;
     void frame_if_marked(const char* label);  // the last item
 
     UiMap& map_;

@@ -48,6 +48,16 @@ Key key_of(int code) {
             return Key::keypad_subtract;
         case GLFW_KEY_KP_DECIMAL:
             return Key::keypad_decimal;
+        case GLFW_KEY_KP_DIVIDE:
+            return Key::keypad_divide;
+        case GLFW_KEY_KP_MULTIPLY:
+            return Key::keypad_multiply;
+        case GLFW_KEY_PAGE_UP:
+            return Key::page_up;
+        case GLFW_KEY_PAGE_DOWN:
+            return Key::page_down;
+        case GLFW_KEY_BACKSPACE:
+            return Key::backspace;
         default:
             return Key::other;
     }
@@ -95,11 +105,13 @@ char letter_of(int code, int scancode) {
 
 void on_key(GLFWwindow* window, int code, int scancode, int action, int modifiers) {
     const Key key = key_of(code);
-    const bool repeats = key == Key::left || key == Key::right || key == Key::up || key == Key::down;
+    const char letter = letter_of(code, scancode);
+    const bool repeats = key == Key::left || key == Key::right || key == Key::up || key == Key::down ||
+                         key == Key::page_up || key == Key::page_down || letter == 'n';
     if (action == GLFW_REPEAT && !repeats) return;
     InputEvent& event = queue(window, action == GLFW_RELEASE ? Kind::key_up : Kind::key);
     event.key = key;
-    event.letter = letter_of(code, scancode);
+    event.letter = letter;
     event.code = event.letter ? GLFW_KEY_A + event.letter - 'a' : is_us_letter(code) ? GLFW_KEY_UNKNOWN : code;
     event.control = modifiers & GLFW_MOD_CONTROL;
     event.shift = modifiers & GLFW_MOD_SHIFT;
