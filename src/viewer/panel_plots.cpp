@@ -163,13 +163,15 @@ void draw_plot(const Plot& plot, const Playback& play, double now, float width, 
 float plots_height(const AppState& app) {
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const float plot = lines_a_plot * ImGui::GetTextLineHeight() + spacing;
-    return ImGui::GetFrameHeight() + spacing + (app.playback.plots ? float((plots + 1) / 2) * plot : 0.0f);
+    return ImGui::GetTextLineHeightWithSpacing() + (app.playback.plots ? float((plots + 1) / 2) * plot : 0.0f);
 }
 
 void draw_plots(AppState& app, Widgets& widgets) {
     Playback& play = app.playback;
     ImGui::SetNextItemOpen(play.plots);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0.0f});
     play.plots = ImGui::CollapsingHeader("Plots");
+    ImGui::PopStyleVar();
     widgets.note("Plots", play.plots ? "1" : "0");
     widgets.tip(
         "Energy, stretch, the tip's height, the error and the step over the last ten seconds of simulated time.");

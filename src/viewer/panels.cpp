@@ -32,7 +32,7 @@ void draw_page(AppState& app, PanelMemory& memory, Widgets& widgets) {
 // Where there is room the page scrolls and the rest stays in sight, else the panel scrolls as a whole: never both.
 void draw_page_and_readings(AppState& app, PanelMemory& memory, Widgets& widgets) {
     const float page_height = ImGui::GetContentRegionAvail().y - readings_height(app) - plots_height(app);
-    const bool scrolls = page_height >= 5.0f * ImGui::GetFrameHeightWithSpacing();
+    const bool scrolls = page_height >= 3.0f * ImGui::GetFrameHeightWithSpacing();
     // Each page is scrolled on its own.
     const std::string name = "page " + std::to_string(memory.page);
     if (scrolls) ImGui::BeginChild(name.c_str(), {0.0f, page_height});

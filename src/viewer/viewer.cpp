@@ -245,8 +245,10 @@ void Viewer::hear_of_run() {
 
 void Viewer::receive_reference() {
     auto& gap = app_.status.reference;
-    if (!app_.scene.view.reference) return gap.reset();
-    if (simulation_.take_reference(reference_)) {
+    if (!app_.scene.view.reference) reference_ = {};
+    if (!app_.scene.view.reference || app_.playback.shown) return gap.reset();  // it follows the run alone
+    const bool comes_back = !gap && reference_.dt > 0.0;
+    if (simulation_.take_reference(reference_) || comes_back) {
         renderer_.upload_reference(reference_.snapshot);
         gap = ReferenceGap{.since = reference_.since,
                            .time = reference_.snapshot.time,

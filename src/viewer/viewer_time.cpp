@@ -62,6 +62,7 @@ void Viewer::go_on_from_shown() {
     simulation_.go_on_from(looked_at_, app_.scene, ++revision_);
     sent_ = app_.scene;
     awaited_ = revision_;
+    reference_ = {};  // begins anew
     app_.playback.shown.reset();
     app_.playback.backwards = false;
     looked_at_.reset();
@@ -142,16 +143,19 @@ void Viewer::travel(double passed) {
 
 /// Asks for as much simulated time as the speed makes of what passed.
 void Viewer::ask_for_time(double passed) {
-    const double simulated = passed * app_.playback.speed().factor;
+    const double speed = app_.playback.speed().factor, simulated = passed * speed;
     if (repeatable()) return simulation_.ask_batches(1);
-    if (!is_slow())
-        return simulation_.ask_batches(pacer_.batches(simulated, simulation_.backlog(), app_.playback.speed().factor));
+    if (!is_slow()) return simulation_.ask_batches(pacer_.batches(simulated, simulation_.backlog(), speed));
     if (slow_.empty()) slow_.add(newest_.snapshot);
     slow_.pass(simulated);
     // As many steps as a picture takes of simulated time, or one that several pictures share.
-    const double picture = a_frame * app_.playback.speed().factor, dt = std::max(newest_.dt, 1e-9);
-    const long long steps = std::clamp(std::llround(picture / dt), 1LL, std::max(1LL, newest_.steps_per_batch));
-    if (slow_.wants(double(steps) * dt + simulated) && simulation_.backlog() == 0) simulation_.ask_part(steps);
+    const double picture = std::max(simulated, a_frame * speed), dt = std::max(newest_.dt, 1e-9);
+    const long long steps = std::max(1LL, std::llround(picture / dt)), batch = std::max(1LL, newest_.steps_per_batch);
+    if (!slow_.wants(double(steps) * dt + simulated) || simulation_.backlog() > 0) return;
+    if (steps < batch)
+        simulation_.ask_part(steps);
+    else
+        simulation_.ask_batches(int((steps + batch - 1) / batch));
 }
 
 bool Viewer::is_slow() const {

@@ -37,11 +37,11 @@ void check_steps_aside(App& app) {
     app.wait_until("the panel again", [](const Look& look) { return !look.text("panel").empty(); });
 }
 
-/// The wheel over a control of the page scrolls the whole panel, down to the last reading.
+/// The wheel over a control scrolls the whole panel, down to the last reading.
 void check_scrolls_as_one(App& app) {
     const Look above = app.settle();
     CHECK(above.has("Close panel"));
-    app.wheel(above.controls.at("Columns").box.at(0.5, 0.5), -1);
+    app.wheel(above.controls.at("Page: Flag").box.at(0.5, 0.5), -1);
     CHECK(!app.settle().has("Close panel"));
     app.show("Reading: Stretch");
 }
