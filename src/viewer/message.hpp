@@ -3,14 +3,15 @@
 //
 //   cause       appears                                          goes
 //   image       an image cannot be loaded, a scene's own too     an image is loaded, or none is wanted
-//   scene       a scene cannot be opened                         a scene is opened
+//   scene       a scene cannot be opened or pasted, or its       a scene is opened, or the file is read again; news
+//               file was saved elsewhere; one is copied          of what went well after some seconds
 //   save        a scene is saved, or cannot be                   the next one is (which says so in its place)
 //   screenshot  a screenshot is saved, or cannot be              the next one is
 //   refusal     the run refuses settings, which are taken back   other settings are taken
 //   standstill  the run stops                                    the run goes on; closed before that, a line in its
 //                                                                place says that the run stopped and opens it again
-//   settings    what is remembered between runs cannot be read   some seconds after, or when it is closed
-//               or kept
+//   settings    what is remembered cannot be read                it is closed
+//               it cannot be kept, or was forgotten              after some seconds
 //   history     settings are undone or redone                     after some seconds
 //   typed       a number cannot be taken as it was typed         after some seconds
 //   lowered     an automatic step is lowered, once a scene       after some seconds

@@ -91,9 +91,9 @@ void Viewer::remember() {
 void Viewer::save_remembered() {
     if (settings_file_.empty() || app_.remembered == kept_settings_) return;
     saved_settings_at_ = wall_;
-    kept_settings_ = app_.remembered;
     try {
         save_user_settings(app_.remembered, settings_file_);
+        kept_settings_ = app_.remembered;
     } catch (const InputError& wrong) {
         settings_file_.clear();  // said once
         say(app_, Message::Cause::settings, std::string("Not remembered: ") + wrong.what(), false);
