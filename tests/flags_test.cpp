@@ -89,7 +89,7 @@ Drawn united_kingdom() {
     add_edge(places, 1 - 3 * part, 0.1, 1, 0, white, red);
     add_edge(places, 1 + 5 * part, 0.9, 1, 0, white, blue);
     add_edge(places, 0.6, 0.5 - 3 * part, 0, 1, white, red);
-    add_edge(places, 1.4, 0.5 + 5 * part, 0, 1, white, blue);
+    add_edge(places, 1.8, 0.5 + 5 * part, 0, 1, white, blue);
     // Half-way out on each diagonal, across it: blue, 3 of white, 2 of red, 1 of white, blue. Seen from the middle red
     // is on the left, so the broad white is above at the hoist and below at the fly.
     for (const double right : {-1.0, 1.0})

@@ -28,14 +28,13 @@ std::string opening_sentence(std::string_view scene_text) {
     std::string said;
     while (scene_text.starts_with('#')) {
         const std::string_view line = scene_text.substr(0, scene_text.find('\n'));
-        const std::size_t first = std::min(line.find_first_not_of("# \t"), line.size());
-        said += (said.empty() ? "" : " ") + std::string(line.substr(first));
+        const std::size_t first = line.find_first_not_of("# \t\r"), last = line.find_last_not_of(" \t\r");
+        if (first != line.npos) said += (said.empty() ? "" : " ") + std::string(line.substr(first, last + 1 - first));
         scene_text.remove_prefix(std::min(line.size() + 1, scene_text.size()));
     }
     // A sentence ends at its full stop, one within a number is none.
     const std::size_t stop = said.find(". ");
     if (stop != said.npos) said.resize(stop + 1);
-    while (!said.empty() && (said.back() == '\r' || said.back() == ' ')) said.pop_back();
     return printable(said);
 }
 
