@@ -2,6 +2,7 @@
 #pragma once
 
 #include "camera.hpp"
+#include "film_desk.hpp"
 #include "findings.hpp"
 #include "message.hpp"
 #include "run/simulation.hpp"
@@ -24,16 +25,20 @@ struct Commands {
     bool restart_reference = false;
     std::optional<Measuring::Subject> measure;
     bool stop_measuring = false;
-    std::optional<std::string> load_scene;           // a path or a shipped name
-    std::optional<std::string> load_texture;         // a path; empty: no image
-    std::optional<std::string> save_scene;           // a path
-    std::optional<std::filesystem::path> overwrite;  // save the scene over this file
+    bool start_film = false, stop_film = false;
+    bool save_shape = false;                            // as OBJ
+    std::optional<std::filesystem::path> replace_film;  // make the film over this file
+    std::optional<std::string> load_scene;              // a path or a shipped name
+    std::optional<std::string> load_texture;            // a path; empty: no image
+    std::optional<std::string> save_scene;              // a path
+    std::optional<std::filesystem::path> overwrite;     // save the scene over this file
 };
 
-/// A question that waits for an answer: whether a scene may be saved over a file.
+/// A question that waits for an answer: whether a scene, or a film, may be saved over a file.
 struct Question {
     std::filesystem::path file;
     std::string text;
+    bool film = false;
 };
 
 /// How far the run has gone from its reference.
@@ -107,6 +112,7 @@ struct AppState {
     std::optional<Question> question;
     Status status;
     Findings findings;
+    FilmDesk film;
     Commands commands;
 
     // What the panels took of the window in this frame, in window units.
@@ -136,6 +142,8 @@ inline void say_why_it_stands(AppState& app) {
 inline void close_one(AppState& app) {
     if (app.question)
         app.question.reset();
+    else if (app.film.open)
+        app.film.open = false;
     else if (app.help_shown)
         app.help_shown = false;
     else
@@ -144,7 +152,7 @@ inline void close_one(AppState& app) {
 
 /// Saves over the file that was asked about.
 inline void agree(AppState& app) {
-    if (app.question) app.commands.overwrite = app.question->file;
+    if (app.question) (app.question->film ? app.commands.replace_film : app.commands.overwrite) = app.question->file;
     app.question.reset();
 }
 

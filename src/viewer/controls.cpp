@@ -189,6 +189,7 @@ void Controls::key(const InputEvent& event, char32_t typed, AppState& app, Camer
     if (named_key(event.key, app, camera)) return;
     if (event.control) {
         if (event.letter == 'q' || event.letter == 'w') quit_ = true;
+        if (event.letter == 'r') toggle(app.film.open);
         return;
     }
     if (event.desktop || symbol(typed, app, camera)) return;

@@ -6,6 +6,7 @@
 //   scene       a scene cannot be opened                         a scene is opened
 //   save        a scene is saved, or cannot be                   the next one is (which says so in its place)
 //   screenshot  a screenshot is saved, or cannot be              the next one is
+//   film        a film or a shape is saved, or cannot be         the next one is
 //   refusal     the run refuses settings, which are taken back   other settings are taken
 //   standstill  the run stops                                    the run goes on; closed before that, a line in its
 //                                                                place says that the run stopped and opens it again
@@ -20,7 +21,7 @@
 namespace drapeau {
 
 struct Message {
-    enum class Cause { image, scene, save, screenshot, refusal, standstill, typed, lowered };
+    enum class Cause { image, scene, save, screenshot, film, refusal, standstill, typed, lowered };
     std::string text{};
     bool trouble = true;
     double seconds_left = 0.0;  // it goes by itself; 0: it stays until closed

@@ -96,6 +96,8 @@ void draw_panels(AppState& app, PanelMemory& memory, UiMap& map) {
     }
     if (app.scene.view.forces) draw_legend(app);
     draw_message(app, widgets);
+    draw_film(app, widgets);
+    draw_film_progress(app, widgets);
     draw_help(app, widgets);
     draw_question(app, widgets);
     draw_activity(app);

@@ -42,6 +42,7 @@
 //   help             1 while the list of keys is shown
 //   force_scale      newtons of the reddest colour of the force colours
 //   measuring        the share that is done of a measurement under way, or nothing
+//   film             frames that are written of a film under way, or nothing
 //   gl_errors        OpenGL errors since the start (debug context)
 #pragma once
 
