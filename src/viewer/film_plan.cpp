@@ -29,7 +29,7 @@ bool is_gif_rate(double rate) {
 void check_gif(const FilmPlan& plan) {
     if (!is_gif_rate(plan.rate))
         refuse(plan, "a gif shows each frame for whole hundredths of a second, so at 50, 25, 20 or 10 frames/s, not " +
-                         rounded(plan.rate, 6));
+                         shortest(plan.rate));
     const double bytes = 4.0 * plan.width * plan.height * double(plan.frames());
     if (bytes > largest_gif)
         refuse(plan, "a gif of " + std::to_string(plan.frames()) + " frames of this size would need " +
@@ -65,20 +65,19 @@ double usual_film_rate(const std::filesystem::path& file) {
 
 void check_times(const FilmPlan& plan) {
     if (!(plan.rate >= 1.0 && plan.rate <= max_film_rate))
-        throw InputError("a film has from 1 to " + rounded(max_film_rate, 3) + " frames/s, not " +
-                         rounded(plan.rate, 6));
+        throw InputError("a film has from 1 to " + rounded(max_film_rate, 3) + " frames/s, not " + shortest(plan.rate));
     if (!(plan.seconds > 0.0) || !(plan.seconds * plan.rate <= double(max_film_frames)))
         throw InputError("a film has from 1 to " + std::to_string(max_film_frames) + " frames; " +
-                         rounded(plan.seconds, 6) + " s at " + rounded(plan.rate, 6) + " frames/s is not that");
+                         shortest(plan.seconds) + " s at " + shortest(plan.rate) + " frames/s is not that");
     if (!(plan.from >= 0.0 && plan.from <= max_swing_in))
         throw InputError("a film begins from 0 to " + rounded(max_swing_in, 4) + " s after the run, not " +
-                         rounded(plan.from, 6) + " s");
+                         shortest(plan.from) + " s");
     const double before = double(plan.blended()) / plan.rate;
     if (plan.loop && plan.frames() < 4) throw InputError("a film of fewer than 4 frames cannot loop");
     if (plan.loop && plan.from < before)
         throw InputError("a film that loops passes into the " + rounded(before, 3) +
                          " s before its first frame, so it begins that much after the run at the earliest, not " +
-                         rounded(plan.from, 3) + " s");
+                         shortest(plan.from) + " s");
 }
 
 void check_film(const FilmPlan& plan) {

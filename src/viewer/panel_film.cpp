@@ -87,8 +87,14 @@ void draw_film_progress(AppState& app, Widgets& widgets) {
     const float button = ImGui::CalcTextSize("Stop film").x + 2.0f * ImGui::GetStyle().FramePadding.x;
     const float bar = ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x;
     const double share = desk.frames > 0 ? double(desk.written) / double(desk.frames) : 0.0;
-    const std::string text = fmt::format("{}: {} of {} frames", printable(desk.name), desk.written, desk.frames);
-    ImGui::ProgressBar(float(share), {bar, ImGui::GetFrameHeight()}, text.c_str());
+    const std::string text = desk.frames > 0
+                                 ? fmt::format("{}: {} of {} frames", printable(desk.name), desk.written, desk.frames)
+                                 : "The film begins";
+    ImGui::ProgressBar(float(share), {bar, ImGui::GetFrameHeight()}, "");
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(),
+                 extent = ImGui::CalcTextSize(text.c_str());
+    ImGui::GetWindowDrawList()->AddText({(low.x + high.x - extent.x) / 2.0f, (low.y + high.y - extent.y) / 2.0f},
+                                        ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
     widgets.note("Reading: Film", text);
     ImGui::SameLine();
     if (widgets.button("Stop film", "Ends it; no file is left.")) app.commands.stop_film = true;

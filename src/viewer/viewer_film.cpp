@@ -113,6 +113,7 @@ void Viewer::ask_film() {
     }
     check_outputs({}, {{"the film", first_file(plan).string()}});
     film_asked_ = plan;
+    app_.film.written = app_.film.frames = 0;
     app_.film.open = false;
     simulation_.ask_fork();
 }
@@ -120,9 +121,9 @@ void Viewer::ask_film() {
 void Viewer::hear_of_film() {
     FilmDesk& desk = app_.film;
     desk.under_way = filming_ || film_asked_;
-    if (film_asked_) desk.name = film_asked_->file.filename().string();
     if (!filming_) return;
     const Recording& recording = filming_->recording;
+    desk.name = recording.plan().file.filename().string();
     desk.written = recording.written();
     desk.frames = recording.plan().frames();
     const std::string trouble = recording.trouble(), file = recording.plan().file.string();
