@@ -62,8 +62,8 @@ void check_obj_name(const std::filesystem::path& file) {
 void write_obj(const std::filesystem::path& file, const Snapshot& shape) {
     const FieldBuffer<float>& x = shape.position;
     write_text_file(file.string(), [&](const Append& append) {
-        append(fmt::format("# a flag of {} x {} masses after {} s; metres, y up\no flag\n", x.columns(), x.rows(),
-                           rounded(shape.time, 9)));
+        append(fmt::format("# a flag of {} x {} masses after {:.6g} s; metres, y up\no flag\n", x.columns(), x.rows(),
+                           shape.time));
         for (int row = 0; row < x.rows(); ++row) append(masses_of(x, row));
         if (x.columns() > 1 && x.rows() > 1) {
             append("s 1\n");
