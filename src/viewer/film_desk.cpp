@@ -11,7 +11,9 @@ FilmPlan film_plan(const FilmDesk& desk, glm::ivec2 window, bool transparent) {
     const std::string file = meant_path(desk.file);
     if (file.empty()) throw InputError("a film needs a file name, for example my-flag.mp4");
     glm::ivec2 size = film_sizes[std::size_t(std::clamp(desk.size, 0, int(film_sizes.size()) - 1))];
-    if (size.x == 0) size = glm::ivec2(std::max(2, window.x / 2 * 2), std::max(2, window.y / 2 * 2));  // even, as most formats want it
+    if (size.x == 0)
+        size =
+            glm::ivec2(std::max(2, window.x / 2 * 2), std::max(2, window.y / 2 * 2));  // even, as most formats want it
     FilmPlan plan{.file = std::filesystem::absolute(file),
                   .width = size.x,
                   .height = size.y,

@@ -112,6 +112,7 @@ void Viewer::ask_film() {
         return;
     }
     check_outputs({}, {{"the film", first_file(plan).string()}});
+    close_if(app_.message, Message::Cause::film);
     film_asked_ = plan;
     app_.film.written = app_.film.frames = 0;
     app_.film.open = false;
