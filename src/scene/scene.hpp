@@ -13,6 +13,7 @@ namespace drapeau {
 
 enum class Start { flat, hanging, crumpled };
 enum class Precision { single_precision, double_precision };
+enum class Background { sky, studio, transparent };
 
 /// The grid of masses and how it begins. Column i, row j rests at (i * width/(columns-1), -j * height/(rows-1), 0).
 struct FlagSettings {
@@ -67,6 +68,7 @@ struct ViewSettings {
     bool masses = false;
     bool reference = false;            // the same flag, computed far more accurately, as a wireframe
     bool texture_proportions = false;  // the flag takes the proportions of its texture
+    Background background = Background::sky;
 
     bool operator==(const ViewSettings&) const = default;
 };

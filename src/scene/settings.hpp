@@ -288,6 +288,10 @@ inline constexpr std::tuple view_keys{
     Key{"texture_proportions", &ViewSettings::texture_proportions,
         About{"Shaped like its image", "", "the flag takes the proportions of its image",
               "The width follows from the height."}},
+    Key{"background", &ViewSettings::background,
+        About{"Background", "", "sky, studio or transparent",
+              "studio: a plain backdrop, softly lit, with a floor that takes the shadow. transparent: neither sky nor "
+              "ground; screenshots, and films of formats that can, keep it transparent."}},
 };
 
 /// Calls visit for the table of a term or limit, if it has one.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "camera.hpp"
+#include "film_desk.hpp"
 #include "findings.hpp"
 #include "history.hpp"
 #include "message.hpp"
@@ -34,19 +35,23 @@ struct Commands {
     bool forget_settings = false;
     std::optional<Measuring::Subject> measure;
     bool stop_measuring = false;
-    std::optional<std::string> load_scene;           // a path or a shipped name
-    std::optional<std::string> load_texture;         // a path; empty: no image
-    std::optional<std::string> save_scene;           // a path
-    std::optional<std::filesystem::path> overwrite;  // save the scene over this file
+    bool start_film = false, stop_film = false;
+    bool save_shape = false;                            // as OBJ
+    std::optional<std::filesystem::path> replace_film;  // make the film over this file
+    std::optional<std::string> load_scene;              // a path or a shipped name
+    std::optional<std::string> load_texture;            // a path; empty: no image
+    std::optional<std::string> save_scene;              // a path
+    std::optional<std::filesystem::path> overwrite;     // save the scene over this file
 };
 
-/// A question that waits for an answer: whether a scene may be saved over a file, or all that is remembered forgotten.
+/// A question that waits for an answer: whether a scene, or a film, may be saved over a file, or all that is remembered
+/// forgotten.
 struct Question {
     std::filesystem::path file;
     std::string text;
     std::string answer = "Overwrite";
     std::string tip = "What the file holds is replaced.";
-    bool forgets = false;
+    bool forgets = false, film = false;
 };
 
 /// How far the run has gone from its reference.
@@ -124,6 +129,7 @@ struct AppState {
     std::optional<Question> question;
     Status status;
     Findings findings;
+    FilmDesk film;
     Commands commands;
     History history;
     UserSettings remembered;  // between runs
@@ -160,6 +166,8 @@ inline void close_one(AppState& app) {
         app.palette.open = false;
     else if (app.question)
         app.question.reset();
+    else if (app.film.open)
+        app.film.open = false;
     else if (app.help_shown)
         app.help_shown = false;
     else if (app.scenes_shown)
@@ -173,7 +181,7 @@ inline void agree(AppState& app) {
     if (app.question && app.question->forgets)
         app.commands.forget_settings = true;
     else if (app.question)
-        app.commands.overwrite = app.question->file;
+        (app.question->film ? app.commands.replace_film : app.commands.overwrite) = app.question->file;
     app.question.reset();
 }
 

@@ -54,6 +54,11 @@ void BackdropPass::draw(const Stage& stage) const {
 void BackdropPass::draw_ground(const Stage& stage) const {
     ground_.use();
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 2 * (ground_facets + 1), ground_rings);
+    draw_standing(stage);
+}
+
+void BackdropPass::draw_standing(const Stage& stage) const {
+    glBindVertexArray(nothing_.id());
     if (stage.rods.size() == 1) {
         slab_.use();
         slab_.set("share", 1.0f);

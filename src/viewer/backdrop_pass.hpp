@@ -15,6 +15,7 @@ public:
     void begin_shadow() const;  // what is drawn until end_shadow falls on the ground
     void end_shadow() const;
     void draw(const Stage& stage) const;
+    void draw_standing(const Stage& stage) const;  // slab and shadow alone, upon ground that is there already
 
 private:
     void draw_ground(const Stage& stage) const;

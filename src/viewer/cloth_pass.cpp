@@ -30,10 +30,11 @@ void ClothPass::draw(const GridTextures& grid, const Picture& picture, const Fla
     shader.set("textured", textured ? 1 : 0);
     shader.set("dimmed", picture.forces ? 1.0f : 0.0f);
     if (textured) bind(texture);
-    // Of a pixel's samples as many as the outline leaves of it.
-    if (cut_out) glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    // Of a pixel's samples as many as the outline leaves of it; those are opaque.
+    if (cut_out) glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE), glEnable(GL_SAMPLE_ALPHA_TO_ONE);
     draw_triangles(grid);
     glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    glDisable(GL_SAMPLE_ALPHA_TO_ONE);
 }
 
 void ClothPass::draw_shadow(const GridTextures& grid, const Picture& picture, const FlagTexture& texture) const {

@@ -54,12 +54,16 @@ Saved save_scene(Scene scene, const fs::path& path, const fs::path& image) {
     return {file, !image.empty() && scene.flag.texture.empty()};
 }
 
-fs::path free_screenshot_name() {
+fs::path free_file_name(const std::string& ending) {
     std::error_code failure;
     for (int number = 1;; ++number) {
-        const std::string name = fmt::format("drapeau-{:03}.png", number);
+        const std::string name = fmt::format("drapeau-{:03}{}", number, ending);
         if (!fs::exists(name, failure)) return name;
     }
+}
+
+fs::path free_screenshot_name() {
+    return free_file_name(".png");
 }
 
 }  // namespace drapeau

@@ -43,5 +43,7 @@ Saved save_scene(Scene scene, const std::filesystem::path& file, const std::file
 
 /// The first of drapeau-001.png, drapeau-002.png ... in the working directory that is not there yet.
 std::filesystem::path free_screenshot_name();
+/// The same for another ending, ".mp4".
+std::filesystem::path free_file_name(const std::string& ending);
 
 }  // namespace drapeau

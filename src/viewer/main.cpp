@@ -1,4 +1,6 @@
-// drapeau: the window. Exit status 0 good, 1 a failure, 2 bad input, 3 a run with --frames that diverged.
+// drapeau: the window. Exit status 0 good, 1 a failure, 2 bad input, 3 a run to files that diverged, 128 and the signal
+// if one stopped a film.
+#include "film_options.hpp"
 #include "options.hpp"
 #include "viewer.hpp"
 
@@ -14,7 +16,9 @@ int main(int count, char** words) {
     if (const auto status = drapeau::read_options(count, words, options)) return *status;
     std::signal(SIGPIPE, SIG_IGN);  // a pipe whose reader is gone is noticed when writing
     try {
+        if (!options.obj.empty()) return drapeau::write_shapes(options);
         drapeau::Viewer viewer(options);
+        if (!options.record.empty()) return viewer.make_film();
         while (viewer.running()) {
             viewer.input();
             viewer.exchange();

@@ -7,6 +7,7 @@
 //               file was saved elsewhere; one is copied          of what went well after some seconds
 //   save        a scene is saved, or cannot be                   the next one is (which says so in its place)
 //   screenshot  a screenshot is saved, or cannot be              the next one is
+//   film        a film or a shape is saved, or cannot be         the next one is
 //   refusal     the run refuses settings, which are taken back   other settings are taken
 //   standstill  the run stops                                    the run goes on; closed before that, a line in its
 //                                                                place says that the run stopped and opens it again
@@ -24,7 +25,7 @@
 namespace drapeau {
 
 struct Message {
-    enum class Cause { image, scene, save, screenshot, refusal, standstill, settings, history, typed, lowered };
+    enum class Cause { image, scene, save, screenshot, film, refusal, standstill, settings, history, typed, lowered };
     std::string text{};
     bool trouble = true;
     double seconds_left = 0.0;  // it goes by itself; 0: it stays until closed

@@ -1,6 +1,7 @@
 #include "options.hpp"
 
 #include "film.hpp"
+#include "film_options.hpp"
 #include "io/command_line.hpp"
 #include "io/error.hpp"
 #include "io/given_path.hpp"
@@ -20,8 +21,8 @@ constexpr int min_side = 16, max_side = 16384;  // pixels
 
 constexpr const char* notes =
     "In the window, F1 lists the keys.\n"
-    "Example: drapeau storm --frames 600 --film storm.mp4\n"
-    "Exit status: 0 good, 1 a failure, 2 bad input, 3 a run with --frames that diverged.";
+    "Example: drapeau storm --record storm.mp4 --seconds 8\n"
+    "Exit status: 0 good, 1 a failure, 2 bad input, 3 a run to files that diverged, 130 stopped by Ctrl+C.";
 
 void size_from(const std::string& text, Options& options) {
     const auto cross = text.find('x');
@@ -41,6 +42,21 @@ void check_picture_name(const std::string& file) {
         throw InputError("--screenshot = " + one_line(file, 1000) + ": .png is allowed, the format of the picture");
 }
 
+void check_film_options(const Options& options) {
+    const bool recorded = !options.record.empty(), shaped = !options.obj.empty();
+    if (recorded && shaped) throw InputError("--record and --obj are made one at a time");
+    if (options.frames > 0 && (recorded || shaped))
+        throw InputError(std::string(recorded ? "--record" : "--obj") + " has --seconds, not --frames");
+    if (recorded) film_plan(options);
+    if (shaped) shape_plan(options);
+    if (recorded || shaped) return;
+    if (options.seconds || options.fps || options.from || options.loop)
+        throw InputError("--seconds, --fps, --from and --loop are for --record or --obj");
+    if (options.transparent && !options.film.empty() && !film_format(options.film).alpha)
+        throw InputError("--film = " + one_line(options.film, 1000) + ": not transparent; " + transparent_formats() +
+                         " are");
+}
+
 void check(const Options& options) {
     if (options.frames == 0 && !options.screenshot.empty())
         throw InputError("--screenshot needs --frames N: the picture is that of the last frame");
@@ -49,7 +65,8 @@ void check(const Options& options) {
     if (options.elevation && !(std::abs(*options.elevation) <= 85.0f))
         throw InputError("--elevation: degrees from -85 to 85");
     if (!options.screenshot.empty()) check_picture_name(options.screenshot);
-    if (!options.film.empty()) check_film_name(options.film);
+    if (!options.film.empty()) check_film_name(options.film, "--film");
+    check_film_options(options);
 }
 
 }  // namespace
@@ -69,8 +86,23 @@ std::optional<int> read_options(int count, char** words, Options& options) {
                                 "with --frames: all of them, as the ending says: mp4, mov, mkv, webm or gif (needs "
                                 "ffmpeg)")
                      ->type_name("FILE"));
+    take_as_path(app.add_option("--record", options.record,
+                                "make a film and leave: mp4, mov, mkv, webm, gif (needs ffmpeg) or pictures, "
+                                "frames-%04d.png; no panel is in it")
+                     ->type_name("FILE"));
+    app.add_option("--seconds", options.seconds, "how long the film is (10)")->type_name("S");
+    app.add_option("--fps", options.fps, "its frames a second, from 1 to 240 (60; gif 25)")->type_name("N");
+    app.add_option("--from", options.from, "simulated seconds before its first frame (0; with --loop 3)")
+        ->type_name("S");
+    app.add_flag("--loop", options.loop, "its end passes into its beginning, over a second");
+    app.add_flag("--transparent", options.transparent,
+                 "no sky and no ground, for --screenshot and films: webm, mov, gif or frames-%04d.png");
+    take_as_path(app.add_option("--obj", options.obj,
+                                "write the shape after --from seconds as OBJ and leave; frames-%04d.obj: one a frame")
+                     ->type_name("FILE"));
     app.add_option("--size", size,
-                   "of the window or picture, in pixels (1280x800; a window grows with the desktop's text)")
+                   "of the window or picture, in pixels (1280x800, a window grows with the desktop's text; --record "
+                   "1920x1080)")
         ->type_name("WxH");
     take_as_path(app.add_option("--texture", options.texture, "an image for the flag, or the name of a shipped one")
                      ->type_name("FILE"));

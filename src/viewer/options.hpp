@@ -11,6 +11,9 @@ struct Options {
     std::string scene = "report";
     int frames = 0;  // 0: until the window is closed
     std::string screenshot, film;
+    std::string record, obj;                   // files; each makes what it names and leaves
+    std::optional<double> seconds, fps, from;  // of record and obj
+    bool loop = false, transparent = false;
     int width = 1280, height = 800;
     bool size_given = false;
     std::string texture;           // instead of the scene's own

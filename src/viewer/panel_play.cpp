@@ -55,6 +55,7 @@ void choose_view(AppState& app, Widgets& widgets) {
     toggle(&ViewSettings::forces);
     ImGui::SameLine(half);
     toggle(&ViewSettings::reference);
+    edit(widgets, "view", row_of(&ViewSettings::background, view_keys), view, app.origin.view);
 }
 
 }  // namespace

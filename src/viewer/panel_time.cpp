@@ -79,6 +79,14 @@ void draw_time_page(AppState& app, PanelMemory& memory, Widgets& widgets) {
     if (widgets.button("Screenshot", "Saves a PNG in the working directory. Key P", half))
         app.commands.screenshot = true;
     ImGui::SameLine();
+    if (widgets.button("Film", "Makes a film of the flag, from here on. Key Ctrl R", half, "Film..."))
+        app.film.open = true;
+    if (widgets.button("Save shape",
+                       "Saves the flag's shape as OBJ in the working directory, with its normals and "
+                       "where the image lies on it.",
+                       half))
+        app.commands.save_shape = true;
+    ImGui::SameLine();
     if (widgets.button("Keys", "The list of keys. Key F1", half)) app.help_shown = !app.help_shown;
     if (widgets.button("Find", "Finds an action, a setting, a scene or a flag by its name. Key Ctrl P", half))
         app.palette = {.open = true};

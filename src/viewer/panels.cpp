@@ -100,6 +100,8 @@ void draw_panels(AppState& app, PanelMemory& memory, UiMap& map) {
     if (app.scene.view.forces) draw_legend(app);
     draw_scene_gallery(app, widgets);
     draw_message(app, widgets);
+    draw_film(app, widgets);
+    draw_film_progress(app, widgets);
     draw_help(app, widgets);
     draw_question(app, widgets);
     draw_palette(app, widgets);

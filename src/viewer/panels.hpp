@@ -41,5 +41,7 @@ void draw_activity(const AppState& app);
 void draw_palette(AppState& app, Widgets& widgets);
 void draw_help(AppState& app, Widgets& widgets);
 void draw_legend(const AppState& app);
+void draw_film(AppState& app, Widgets& widgets);
+void draw_film_progress(AppState& app, Widgets& widgets);
 
 }  // namespace drapeau

@@ -1,6 +1,8 @@
 // Picture: what a frame shows besides the masses, as plain data. Made from the settings by main, drawn by the renderer.
 #pragma once
 
+#include "scene/scene.hpp"
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -62,6 +64,7 @@ struct Picture {
     glm::ivec4 hidden{0};      // x, y, width, height of what panels will cover, pixels from below: not drawn
     float pixel_scale = 1.0f;  // pixels of the picture per unit of line width
     Stage stage;
+    Background background = Background::sky;
 };
 
 }  // namespace drapeau

@@ -1,9 +1,12 @@
 #include "render_target.hpp"
 
+#include "transparency.hpp"
+
 #include "io/error.hpp"
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace drapeau {
 
@@ -73,7 +76,7 @@ void RenderTarget::show(int window_width, int window_height) {
                       same ? GL_NEAREST : GL_LINEAR);
 }
 
-Image RenderTarget::read() const {
+Image RenderTarget::read(bool transparent) const {
     Image image{.width = width_, .height = height_, .rgba = {}};
     const std::size_t row = std::size_t(width_) * 4;
     image.rgba.resize(row * std::size_t(height_));
@@ -86,6 +89,7 @@ Image RenderTarget::read() const {
         const auto first = image.rgba.begin() + std::ptrdiff_t(row) * upper;
         std::swap_ranges(first, first + std::ptrdiff_t(row), image.rgba.begin() + std::ptrdiff_t(row) * lower);
     }
+    if (transparent) return unpremultiplied(std::move(image));
     for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
     return image;
 }

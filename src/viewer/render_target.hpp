@@ -19,7 +19,7 @@ public:
     void begin_panels();  // from here colours are written as they are, on the resolved picture
     void show(int window_width, int window_height);  // onto the window
 
-    Image read() const;  // opaque
+    Image read(bool transparent = false) const;  // opaque unless asked for otherwise
 
 private:
     void allocate();

@@ -34,6 +34,10 @@ void Renderer::draw_scene(const Picture& picture, glm::vec2 size) {
     glDepthMask(GL_TRUE);
     glClearDepth(1.0);
     glClear(GL_DEPTH_BUFFER_BIT);
+    if (picture.background == Background::transparent) {
+        glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
 
     // Nothing is nearer than 0: what the panel covers costs nothing.
     if (picture.hidden.z > 0 && picture.hidden.w > 0) {
@@ -47,10 +51,10 @@ void Renderer::draw_scene(const Picture& picture, glm::vec2 size) {
     // Opaque things first, so that the backdrop is computed only where it shows.
     if (picture.cloth) cloth_.draw(grid_, picture, texture_);
     solids_.draw(picture.stage);
-    backdrop_.draw(picture.stage);
+    draw_background(picture);
 
     glEnable(GL_BLEND);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
     const bool chain = grid_.columns() == 1 || grid_.rows() == 1;
     if (picture.springs || picture.forces || chain) springs_.draw(grid_, picture, texture_);
@@ -62,6 +66,13 @@ void Renderer::draw_scene(const Picture& picture, glm::vec2 size) {
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
+}
+
+void Renderer::draw_background(const Picture& picture) const {
+    if (picture.background == Background::sky) backdrop_.draw(picture.stage);
+    if (picture.background != Background::studio) return;
+    studio_.draw();
+    if (picture.stage.ground) backdrop_.draw_standing(picture.stage);
 }
 
 }  // namespace drapeau

@@ -10,6 +10,7 @@
 #include "picture.hpp"
 #include "solid_pass.hpp"
 #include "spring_pass.hpp"
+#include "studio_pass.hpp"
 
 namespace drapeau {
 
@@ -24,9 +25,12 @@ public:
     /// The shadow's texture, drawn before the scene; leaves another framebuffer bound.
     void draw_shadow(const Picture& picture, glm::vec2 size);
     void draw_scene(const Picture& picture, glm::vec2 size);
+    /// Under a picture whose background is transparent, for the eye alone.
+    void draw_checkerboard(float side) const { studio_.draw_checkerboard(side); }
 
 private:
     void send(const FrameBlock& block);
+    void draw_background(const Picture& picture) const;
 
     GlBuffer block_;
     GridTextures grid_, reference_;
@@ -36,6 +40,7 @@ private:
     SpringPass springs_;
     MassPass masses_;
     BackdropPass backdrop_;
+    StudioPass studio_;
 };
 
 }  // namespace drapeau

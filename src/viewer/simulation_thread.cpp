@@ -168,6 +168,19 @@ std::string SimulationThread::reference_trouble() const {
     return reference_ ? reference_->trouble() : "";
 }
 
+void SimulationThread::ask_fork() {
+    {
+        const std::lock_guard lock(mutex_);
+        fork_asked_ = true;
+    }
+    wanted_.notify_one();
+}
+
+std::optional<Fork> SimulationThread::take_fork() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(fork_, std::nullopt);
+}
+
 int SimulationThread::backlog() const {
     const std::lock_guard lock(mutex_);
     return batches_ + (part_ > 0 ? 1 : 0);
@@ -176,7 +189,7 @@ int SimulationThread::backlog() const {
 bool SimulationThread::idle() const {
     const std::lock_guard lock(mutex_);
     return !busy_ && !change_ && batches_ == 0 && single_steps_ == 0 && part_ == 0 && !newest_ && !failure_new_ &&
-           !reference_asked_ && !(reference_ && reference_->behind());
+           !reference_asked_ && !fork_asked_ && !(reference_ && reference_->behind());
 }
 
 bool SimulationThread::settling() const {
@@ -211,12 +224,13 @@ void SimulationThread::work() {
     std::unique_lock lock(mutex_);
     while (true) {
         wanted_.wait(lock, [this] {
-            return ending_ || change_ || batches_ > 0 || single_steps_ > 0 || part_ > 0 || reference_asked_;
+            return ending_ || change_ || batches_ > 0 || single_steps_ > 0 || part_ > 0 || reference_asked_ ||
+                   fork_asked_;
         });
         if (ending_) return;
         busy_ = true;
         const bool reference_only = !change_ && batches_ == 0 && single_steps_ == 0 && part_ == 0;
-        const bool begins = std::exchange(reference_asked_, false);
+        const bool begins = std::exchange(reference_asked_, false), forks = std::exchange(fork_asked_, false);
         const std::optional<Change> change = std::exchange(change_, std::nullopt);
         if (change && change->scene.flag.start == Start::hanging) settles_since_ = std::chrono::steady_clock::now();
         int* const asked = change ? nullptr : single_steps_ > 0 ? &single_steps_ : batches_ > 0 ? &batches_ : nullptr;
@@ -224,6 +238,7 @@ void SimulationThread::work() {
         abandon_ = false;
         lock.unlock();
         if (begins) begin_reference();  // whatever becomes of a change, which begins one of its own
+        if (forks) give_fork();
         const bool advanced = !reference_only && carry_out(change, steps);
         lock.lock();
         if (now_.divergence || failed_)
@@ -383,6 +398,16 @@ void SimulationThread::begin_reference() {
     }
     const std::lock_guard lock(mutex_);
     reference_ = std::move(next);
+}
+
+/// Without memory for it there is none: whoever asked may ask again.
+void SimulationThread::give_fork() noexcept {
+    try {
+        Fork fork{.scene = now_.scene, .state = simulation_.state(), .time = simulation_.time()};
+        const std::lock_guard lock(mutex_);
+        fork_ = std::move(fork);
+    } catch (const std::exception&) {
+    }
 }
 
 void SimulationThread::publish(bool fresh) {

@@ -2,6 +2,7 @@
 // and the newest moment comes out between batches, so nothing the simulation does stalls the picture.
 #pragma once
 
+#include "film_flight.hpp"
 #include "picture.hpp"
 #include "run/reference_run.hpp"
 #include "run/simulation.hpp"
@@ -90,6 +91,10 @@ public:
     bool take_reference(ReferenceRun::Gap& newest);  // false if nothing is new since the last call
     std::string reference_trouble() const;           // why it does not go on; empty while it does
 
+    /// Asks for where the run is between two batches, for a copy that flies on by itself.
+    void ask_fork();
+    std::optional<Fork> take_fork();  // none until it is there
+
     int backlog() const;        // batches asked for and not done
     bool idle() const;          // nothing is asked for, under way or new
     bool settling() const;      // whether a flag that starts hanging has been coming to rest for a moment
@@ -114,6 +119,7 @@ private:
     void keep(bool whatever_the_time) noexcept;
     bool advance(long long steps);
     void begin_reference();
+    void give_fork() noexcept;
     void publish(bool fresh);
     void fail(std::string_view why) noexcept;
 
@@ -130,6 +136,8 @@ private:
     std::shared_ptr<ReferenceRun> reference_;  // only the thread replaces it
     bool reference_wanted_ = false, reference_asked_ = false;
     Timeline timeline_;
+    bool fork_asked_ = false;
+    std::optional<Fork> fork_;
     int batches_ = 0;
     int single_steps_ = 0;
     long long part_ = 0;  // steps

@@ -49,6 +49,7 @@
 //   undo redo        what would be undone or redone, or nothing
 //   force_scale      newtons of the reddest colour of the force colours
 //   measuring        the share that is done of a measurement under way, or nothing
+//   film             frames that are written of a film under way, or nothing
 //   gl_errors        OpenGL errors since the start (debug context)
 #pragma once
 

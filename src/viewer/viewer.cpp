@@ -1,6 +1,7 @@
 #include "viewer.hpp"
 
 #include "image/image_file.hpp"
+#include "numbered_name.hpp"
 #include "scene_cards.hpp"
 #include "stage.hpp"
 
@@ -33,7 +34,7 @@ bool debug_wanted() {
 }
 
 bool into_files(const Options& options) {
-    return options.frames > 0 && !(options.screenshot.empty() && options.film.empty());
+    return !options.record.empty() || (options.frames > 0 && !(options.screenshot.empty() && options.film.empty()));
 }
 
 float pixels_per_unit(const Window& window) {
@@ -58,6 +59,10 @@ LoadedScene loaded_for(const Options& options) {
     if (!loaded.texture_file.empty()) inputs.push_back({"the scene's texture", loaded.texture_file.string()});
     if (!texture.name.empty()) inputs.push_back(texture);
     if (!options.screenshot.empty()) outputs.push_back({"--screenshot", options.screenshot});
+    if (!options.record.empty()) {
+        const bool sequence = means_sequence(options.record);
+        outputs.push_back({"--record", sequence ? numbered(options.record, 0).string() : options.record});
+    }
     if (!options.film.empty()) outputs.push_back({"--film", options.film});
     check_outputs(inputs, outputs);
     if (!texture.name.empty()) {
@@ -83,6 +88,7 @@ void preset_view(const Options& options, ViewSettings& view) {
     if (options.forces) view.forces = true;
     if (options.masses) view.masses = true;
     if (options.no_texture) view.texture = false;
+    if (options.transparent) view.background = Background::transparent;
 }
 
 Viewer::Viewer(const Options& options) : Viewer(options, loaded_for(options)) {}
@@ -94,7 +100,12 @@ Viewer::Viewer(const Options& options, LoadedScene loaded)
       gui_(window_.handle(), options.frames > 0 ? 1.0f : window_.content_scale(),
            options.frames > 0 ? 1.0f : pixels_per_unit(window_)),
       target_(options.width, options.height, samples),
-      film_(options.film.empty() ? nullptr : std::make_unique<Film>(options.film, options.width, options.height, 60)),
+      film_(options.film.empty() ? nullptr
+                                 : std::make_unique<Film>(FilmSettings{.file = options.film,
+                                                                       .width = options.width,
+                                                                       .height = options.height,
+                                                                       .transparent = options.transparent,
+                                                                       .asked_by = "--film"})),
       simulation_(first_simulation(loaded.scene, repeatable()), simulation_threads(std::thread::hardware_concurrency()),
                   repeatable() ? ErrorWatch::Mode::awaited : ErrorWatch::Mode::aside) {
     recall();
@@ -163,6 +174,7 @@ void Viewer::exchange() {
     save_wanted();
     use_safe_step();
     measure_wanted();
+    film_wanted();
     note_changes();
     travel(passed);
     send_settings();

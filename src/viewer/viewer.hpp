@@ -5,6 +5,7 @@
 #include "camera.hpp"
 #include "controls.hpp"
 #include "film.hpp"
+#include "filming.hpp"
 #include "force_scale.hpp"
 #include "gl_errors.hpp"
 #include "gui.hpp"
@@ -47,6 +48,9 @@ public:
 
     int exit_status() const;
 
+    /// Makes the film of --record instead of all that; gives the exit status. Throws InputError.
+    int make_film();
+
 private:
     Viewer(const Options& options, LoadedScene loaded);
 
@@ -84,6 +88,14 @@ private:
     void measure_wanted();
     void hear_of_run();
     void keep_proportions();
+    void film_wanted();
+    void ask_film();
+    void begin_film(const FilmPlan& plan, const Scene& scene, std::optional<Fork> start, const std::string& asked_by);
+    void film_frame();
+    void hear_of_film();
+    void stop_film(const std::string& why);
+    void save_shape();
+    bool transparent() const { return app_.scene.view.background == Background::transparent; }
     void take_screenshot(const std::filesystem::path& file);
     void write_map();
 
@@ -108,6 +120,8 @@ private:
     RenderTarget target_;
     Renderer renderer_;
     std::unique_ptr<Film> film_;
+    std::unique_ptr<Filming> filming_;
+    std::optional<FilmPlan> film_asked_;  // until the simulation has told where it is
     SimulationThread simulation_;
     Loader loader_;
     Measuring measuring_;

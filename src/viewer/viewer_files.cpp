@@ -101,6 +101,7 @@ void Viewer::adopt(LoadedScene loaded) {
 }
 
 void Viewer::set_image(const std::filesystem::path& file, std::optional<Image> image) {
+    stop_film("The film was stopped: another image or scene was opened; nothing is left of it.");
     app_.status.flag_proportions = image ? double(image->width) / double(image->height) : 0.0;
     if (image)
         renderer_.texture().load(std::move(*image));

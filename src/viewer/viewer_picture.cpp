@@ -22,13 +22,6 @@ namespace {
 
 constexpr double min_frame_seconds = 0.008;  // where the display does not hold the loop back
 
-glm::vec3 middle_of(const FieldBuffer<float>& position) {
-    glm::dvec3 sum(0.0);
-    for (int row = 0; row < position.rows(); ++row)
-        for (int column = 0; column < position.columns(); ++column) sum += position.at(column, row);
-    return glm::vec3(sum / std::max(1.0, double(position.columns()) * position.rows()));
-}
-
 std::string written(Area area) {
     return fmt::format("{:.1f} {:.1f} {:.1f} {:.1f}", area.x0, area.y0, area.x1, area.y1);
 }
@@ -81,7 +74,8 @@ Picture Viewer::picture() const {
             .force_scale = float(app_.status.force_scale),
             .hidden = pixels_under(app_.panel_area, pixel_scale, target_.height()),
             .pixel_scale = pixel_scale,
-            .stage = stage_of(moment_.scene)};
+            .stage = stage_of(moment_.scene),
+            .background = view.background};
 }
 
 void Viewer::draw() {
@@ -90,6 +84,7 @@ void Viewer::draw() {
     // What nothing holds falls; the camera goes with it, unless there is ground to see it fall upon.
     if (flag.attach == Attach::none && !moment_.scene.limits.get<Ground>())
         framing_.centre = middle_of(moment_.snapshot.position);
+    film_frame();
     if (!picture_wanted()) return;
 
     const glm::vec2 pixels(float(target_.width()), float(target_.height()));
@@ -110,10 +105,12 @@ void Viewer::present() {
     ++frame_;
     if (picture_wanted()) {
         const glm::ivec2 window = window_.framebuffer_size();
-        if (film_) film_->add(target_.read());
+        if (film_) film_->add(target_.read(options_.transparent));
         if (app_.commands.screenshot) take_screenshot(free_screenshot_name());
-        if (frame_ == options_.frames && !options_.screenshot.empty()) write_png(options_.screenshot, target_.read());
+        if (frame_ == options_.frames && !options_.screenshot.empty())
+            write_png(options_.screenshot, target_.read(transparent()));
         if (frame_ == options_.frames && film_) film_->finish();
+        if (transparent()) renderer_.draw_checkerboard(12.0f * float(target_.height()) / std::max(1.0f, size().y));
         target_.show(window.x, window.y);
         gl_errors_.poll();
     }
@@ -130,7 +127,7 @@ Activity Viewer::activity() const {
     return {.events = had_events_ || gui_.has_waiting_keys() || app_.mark,
             .runs = runs() || app_.playback.backwards,
             .simulation = !simulation_.idle() || opening_ || !app_.status.loading.empty() || loader_.makes_small() ||
-                          measuring_.under_way(),
+                          measuring_.under_way() || filming_ || film_asked_,
             .hidden = hidden_,
             .typing = ImGui::GetIO().WantTextInput,
             .message_left = message.text.empty() ? 0.0 : message.seconds_left};
@@ -139,7 +136,7 @@ Activity Viewer::activity() const {
 void Viewer::take_screenshot(const std::filesystem::path& file) {
     app_.commands.screenshot = false;
     try {
-        write_png(file, target_.read());
+        write_png(file, target_.read(transparent()));
         say(app_, Message::Cause::screenshot, "Saved " + std::filesystem::absolute(file).string(), false);
     } catch (const InputError& wrong) {
         say(app_, Message::Cause::screenshot, wrong.what(), true);
@@ -192,6 +189,7 @@ void Viewer::write_map() {
     map_.state("force_scale", status.force_scale);
     map_.state("reference_mm", status.reference ? 1e3 * status.reference->rms : -1.0);
     map_.state("measuring", app_.findings.under_way ? rounded(app_.findings.share, 3) : "");
+    map_.state("film", app_.film.under_way ? std::to_string(app_.film.written) : "");
     map_.state("gl_errors", gl_errors_.count());
     map_.write();
 }
