@@ -288,6 +288,13 @@ inline constexpr std::tuple view_keys{
     Key{"texture_proportions", &ViewSettings::texture_proportions,
         About{"Shaped like its image", "", "the flag takes the proportions of its image",
               "The width follows from the height."}},
+    Key{"bare_grid", &ViewSettings::bare_grid,
+        About{"Bare grid", "", "flat facets between the masses, as they are simulated",
+              "Off: a smooth surface through all masses, which shows folds as cloth has them. The simulation is the "
+              "same "
+              "either way."}},
+    Key{"person", &ViewSettings::person,
+        About{"Person", "", "a figure 1.75 m tall beside the flag, as a scale", "Shows how large the flag is."}},
 };
 
 /// Calls visit for the table of a term or limit, if it has one.

@@ -47,6 +47,9 @@ void choose_view(AppState& app, Widgets& widgets) {
     toggle(&ViewSettings::forces);
     ImGui::SameLine(half);
     toggle(&ViewSettings::reference);
+    toggle(&ViewSettings::bare_grid);
+    ImGui::SameLine(half);
+    toggle(&ViewSettings::person);
 }
 
 }  // namespace

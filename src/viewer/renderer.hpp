@@ -3,6 +3,7 @@
 
 #include "backdrop_pass.hpp"
 #include "cloth_pass.hpp"
+#include "cloth_surface.hpp"
 #include "flag_texture.hpp"
 #include "frame_block.hpp"
 #include "grid_textures.hpp"
@@ -10,6 +11,7 @@
 #include "picture.hpp"
 #include "solid_pass.hpp"
 #include "spring_pass.hpp"
+#include "sun_map.hpp"
 
 namespace drapeau {
 
@@ -17,11 +19,11 @@ class Renderer {
 public:
     Renderer();
 
-    void upload(const Snapshot& snapshot) { grid_.upload(snapshot); }
+    void upload(const Snapshot& snapshot);
     void upload_reference(const Snapshot& snapshot) { reference_.upload(snapshot); }
     FlagTexture& texture() { return texture_; }
 
-    /// The shadow's texture, drawn before the scene; leaves another framebuffer bound.
+    /// The smooth surface and the shadows, drawn before the scene; leaves another framebuffer bound.
     void draw_shadow(const Picture& picture, glm::vec2 size);
     void draw_scene(const Picture& picture, glm::vec2 size);
 
@@ -30,6 +32,10 @@ private:
 
     GlBuffer block_;
     GridTextures grid_, reference_;
+    ClothSurface surface_;
+    ClothMesh mesh_;
+    SunView sun_view_;
+    SunMap sun_map_;
     FlagTexture texture_;
     ClothPass cloth_;
     SolidPass solids_;

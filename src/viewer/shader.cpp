@@ -70,7 +70,7 @@ Shader::Shader(const std::string& vertex, const std::string& fragment) : program
         throw std::runtime_error("shaders " + vertex + ", " + fragment + " do not link: " + log.data());
     }
 
-    // The same names stand for the same places in every shader: the frame's constants and the position textures.
+    // The same names stand for the same places in every shader: the frame's constants, the position textures and so on.
     const GLuint block = glGetUniformBlockIndex(program_.id(), "Frame");
     if (block != GL_INVALID_INDEX) glUniformBlockBinding(program_.id(), block, 0);
     use();
@@ -78,6 +78,9 @@ Shader::Shader(const std::string& vertex, const std::string& fragment) : program
     set("position_y", 1);
     set("position_z", 2);
     set("picture", 3);
+    set("surface_place", 5);
+    set("surface_normal", 6);
+    set("sun_map", 7);
 }
 
 void Shader::set(const char* name, int value) const {
