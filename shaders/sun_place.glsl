@@ -1,6 +1,6 @@
 // The place in the sun's map of a point with this normal, a little towards the sun, so that what it belongs to does not
 // shade itself. Either side of cloth may be lit.
-const float pixels_off = 3.0;
+const float pixels_off = 3.5;
 
 vec3 sun_place_of(vec3 point, vec3 normal) {
     float facing = dot(normal, sun.xyz);

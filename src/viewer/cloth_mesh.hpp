@@ -10,16 +10,16 @@
 
 namespace drapeau {
 
-inline constexpr int points_along_longer_side = 180;  // of the drawn cloth, about
-inline constexpr int most_pieces = 24;                // of a cell along either side
+inline constexpr int most_pieces = 24;  // of a cell along either side
 
 /// Into how many pieces each cell is cut along the fly and along the hoist, so that the drawn points are as far apart
-/// in both directions. `masses`: columns and rows; `cell`: m. A grid as fine as that by itself stays as it is.
-inline glm::ivec2 pieces_of_cell(glm::ivec2 masses, glm::vec2 cell) {
+/// in both directions, about `most` along the longer side. `masses`: columns and rows; `cell`: m. A grid as fine as
+/// that by itself stays as it is.
+inline glm::ivec2 pieces_of_cell(glm::ivec2 masses, glm::vec2 cell, int most) {
     const glm::vec2 sides = cell * glm::vec2(masses - 1);
-    const float apart = std::max(sides.x, sides.y) / float(points_along_longer_side);
+    const float apart = std::max(sides.x, sides.y) / float(most);
     const auto pieces = [&](int count, float side) {
-        const int fitting = points_along_longer_side / std::max(1, count - 1);  // never more points than these
+        const int fitting = most / std::max(1, count - 1);  // never more points than these
         if (count < 2 || !(apart > 0.0f)) return 1;
         return std::clamp(int(std::lround(side / apart)), 1, std::clamp(fitting, 1, most_pieces));
     };

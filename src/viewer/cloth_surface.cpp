@@ -1,6 +1,7 @@
 #include "cloth_surface.hpp"
 
 #include "cloth_mesh.hpp"
+#include "software_renderer.hpp"
 
 namespace drapeau {
 
@@ -10,7 +11,8 @@ ClothSurface::ClothSurface()
       target_(make_framebuffer()),
       triangles_(make_vertex_array()),
       nothing_(make_vertex_array()),
-      indices_(make_buffer()) {
+      indices_(make_buffer()),
+      most_points_(drawn_by_llvmpipe() ? 120 : 240) {
     for (const GLuint id : {places_.id(), normals_.id()}) {
         glBindTexture(GL_TEXTURE_2D, id);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -21,7 +23,7 @@ ClothSurface::ClothSurface()
 
 ClothMesh ClothSurface::follow(const GridTextures& grid, glm::vec2 cell, bool bare) {
     const glm::ivec2 masses(grid.columns(), grid.rows());
-    const glm::ivec2 pieces = pieces_of_cell(masses, cell);
+    const glm::ivec2 pieces = pieces_of_cell(masses, cell, most_points_);
     if (bare || grid.index_count() == 0 || pieces == glm::ivec2(1))
         return {.triangles = grid.triangles(), .index_count = grid.index_count(), .points = masses, .smooth = false};
 

@@ -36,6 +36,7 @@ private:
     GlFramebuffer target_;
     GlVertexArray triangles_, nothing_;
     GlBuffer indices_;
+    int most_points_;  // along the longer side
     glm::ivec2 points_{0};
     int index_count_ = 0;
 };

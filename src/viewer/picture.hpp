@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace drapeau {
@@ -33,6 +34,7 @@ struct Stage {
     std::vector<Rod> rods;
     std::vector<Ball> balls;
     std::vector<Base> bases;
+    std::optional<glm::vec3> person;  // where its feet stand
     bool ground = true;
     float ground_height = -2.0f;      // m
     glm::vec3 low{0.0f}, high{0.0f};  // a box around what may cast a shadow

@@ -8,6 +8,7 @@
 #include "frame_block.hpp"
 #include "grid_textures.hpp"
 #include "mass_pass.hpp"
+#include "person_pass.hpp"
 #include "picture.hpp"
 #include "solid_pass.hpp"
 #include "spring_pass.hpp"
@@ -41,6 +42,7 @@ private:
     SolidPass solids_;
     SpringPass springs_;
     MassPass masses_;
+    PersonPass person_;
     BackdropPass backdrop_;
 };
 

@@ -1,7 +1,5 @@
 #include "stage.hpp"
 
-#include "person.hpp"
-
 #include "scene/surroundings.hpp"
 
 #include <algorithm>
@@ -110,7 +108,7 @@ Stage stage_of(const Scene& scene, bool with_person) {
             if (has_pole) add_pole();
             break;
     }
-    if (with_person && stage.ground) add_person(stage, {-0.30f - 0.10f * e.size, 0.10f * e.size});
+    if (with_person && stage.ground) stage.person = {-0.30f - 0.10f * e.size, stage.ground_height, 0.05f * e.size};
     const float reach = 0.25f * e.size;
     stage.low = {-reach, stage.ground_height, -0.5f * e.size};
     stage.high = {e.width + reach, 0.16f * e.size, 0.5f * e.size};
@@ -120,13 +118,15 @@ Stage stage_of(const Scene& scene, bool with_person) {
 Framing framing_of(const FlagSettings& flag, const Stage& stage) {
     const Shape e = shape_of(flag);
     const float top = 0.22f * e.size;
-    // What lies down needs ground before it.
-    const float before = flag.attach == Attach::none && stage.ground ? 0.40f : 0.08f;
+    // What lies down needs ground before it, and is seen from above.
+    const bool falls = flag.attach == Attach::none && stage.ground;
+    const float before = falls ? 0.45f : 0.12f;
     const float bottom = std::min(-e.height - 0.60f * e.size, stage.ground_height - before * e.size);
     return {.centre = {0.5f * e.width, 0.5f * (top + bottom), 0.0f},
             .width = e.width + 0.55f * e.size,
             .height = top - bottom,
-            .ground = stage.ground ? stage.ground_height : -1e9f};
+            .ground = stage.ground ? stage.ground_height : -1e9f,
+            .above = falls ? 15.0f : 0.0f};
 }
 
 }  // namespace drapeau

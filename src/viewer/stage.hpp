@@ -11,7 +11,7 @@ namespace drapeau {
 /// Whether a tape with grommets runs along the hoist.
 bool has_header(const FlagSettings& flag);
 
-/// `with_person`: a figure stands to the left of it, as a scale.
+/// `with_person`: a person stands to the left of it, as a scale.
 Stage stage_of(const Scene& scene, bool with_person = false);
 
 Framing framing_of(const FlagSettings& flag, const Stage& stage);

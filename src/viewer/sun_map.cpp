@@ -1,5 +1,7 @@
 #include "sun_map.hpp"
 
+#include "software_renderer.hpp"
+
 #include <glm/common.hpp>
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
@@ -30,9 +32,10 @@ SunView sun_view_of(const FieldBuffer<float>& position) {
 }
 
 SunMap::SunMap() : depth_(make_texture()), target_(make_framebuffer()) {
+    if (drawn_by_llvmpipe()) side_ = 768, looks_ = 2;
     glActiveTexture(GL_TEXTURE7);
     glBindTexture(GL_TEXTURE_2D, depth_.id());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, side, side, 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, side_, side_, 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
@@ -53,7 +56,7 @@ void SunMap::begin() const {
     glActiveTexture(GL_TEXTURE7);
     glBindTexture(GL_TEXTURE_2D, 0);  // never read where it is written
     glBindFramebuffer(GL_FRAMEBUFFER, target_.id());
-    glViewport(0, 0, side, side);
+    glViewport(0, 0, side_, side_);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_TRUE);

@@ -29,11 +29,13 @@ public:
     void begin() const;  // what is drawn until end casts shadows on what is drawn later
     void end() const;
 
-    static constexpr int side = 1024;  // pixels
+    int side() const { return side_; }    // pixels
+    int looks() const { return looks_; }  // at the map, of each pixel of the picture: more of them are softer
 
 private:
     GlTexture depth_;
     GlFramebuffer target_;
+    int side_ = 2048, looks_ = 8;
 };
 
 }  // namespace drapeau
