@@ -8,5 +8,5 @@ layout(std140) uniform Frame {
     vec4 ground;   // height, 1 if there is ground
     vec4 shadow_area;   // x, z of the shadow texture's corner on the ground and 1 / its sides
     mat4 to_sun_map;
-    vec4 sun_pixel;     // of the sun's map: in m, and as a share of its side; looks at it
+    vec4 sun_pixel;     // of the sun's map: in m, and as a share of its side
 };

@@ -1,6 +1,10 @@
 // The place in the sun's map of a point with this normal, a little towards the sun, so that what it belongs to does not
 // shade itself. Either side of cloth may be lit.
-const float pixels_off = 3.5;
+#if DRAWN_BY_PROCESSOR
+const float pixels_off = 2.0;
+#else
+const float pixels_off = 4.0;  // as many as the looks reach
+#endif
 
 vec3 sun_place_of(vec3 point, vec3 normal) {
     float facing = dot(normal, sun.xyz);

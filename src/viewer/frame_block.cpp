@@ -22,7 +22,7 @@ glm::vec4 shadow_area(const Stage& stage) {
 
 }  // namespace
 
-FrameBlock frame_block(const Picture& picture, glm::vec2 size, const SunView& sun, const SunMap& map) {
+FrameBlock frame_block(const Picture& picture, glm::vec2 size, const SunView& sun, int sun_map_side) {
     const glm::mat4 to_clip = picture.projection * picture.view;
     const Stage& stage = picture.stage;
     return {.to_clip = to_clip,
@@ -33,7 +33,7 @@ FrameBlock frame_block(const Picture& picture, glm::vec2 size, const SunView& su
             .ground = {stage.ground_height, stage.ground ? 1.0f : 0.0f, 0.0f, 0.0f},
             .shadow = shadow_area(stage),
             .to_sun_map = sun.to_map,
-            .sun_map = {sun.side / float(map.side()), 1.0f / float(map.side()), float(map.looks()), 0.0f}};
+            .sun_map = {sun.side / float(sun_map_side), 1.0f / float(sun_map_side), 0.0f, 0.0f}};
 }
 
 }  // namespace drapeau

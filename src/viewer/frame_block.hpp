@@ -18,9 +18,9 @@ struct FrameBlock {
     glm::vec4 ground;   // height, 1 if there is ground
     glm::vec4 shadow;   // x, z of the shadow texture's corner on the ground and 1 / its sides
     glm::mat4 to_sun_map;
-    glm::vec4 sun_map;  // a pixel of it in m, and as a share of its side; looks at it
+    glm::vec4 sun_map;  // a pixel of it in m, and as a share of its side
 };
 
-FrameBlock frame_block(const Picture& picture, glm::vec2 size, const SunView& sun, const SunMap& map);
+FrameBlock frame_block(const Picture& picture, glm::vec2 size, const SunView& sun, int sun_map_side);
 
 }  // namespace drapeau

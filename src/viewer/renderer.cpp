@@ -19,7 +19,7 @@ void Renderer::upload(const Snapshot& snapshot) {
 }
 
 void Renderer::draw_shadow(const Picture& picture, glm::vec2 size) {
-    send(frame_block(picture, size, sun_view_, sun_map_));
+    send(frame_block(picture, size, sun_view_, sun_map_.side()));
     grid_.bind();
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
@@ -37,7 +37,7 @@ void Renderer::draw_shadow(const Picture& picture, glm::vec2 size) {
 }
 
 void Renderer::draw_scene(const Picture& picture, glm::vec2 size) {
-    send(frame_block(picture, size, sun_view_, sun_map_));
+    send(frame_block(picture, size, sun_view_, sun_map_.side()));
     grid_.bind();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);

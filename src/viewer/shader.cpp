@@ -1,5 +1,7 @@
 #include "shader.hpp"
 
+#include "software_renderer.hpp"
+
 #include "io/error.hpp"
 
 #include <fstream>
@@ -40,7 +42,9 @@ std::string read_source(const fs::path& folder, const std::string& name) {
 }
 
 GlShader compile(GLenum kind, const fs::path& folder, const std::string& name) {
-    const std::string source = read_source(folder, name);
+    std::string source = read_source(folder, name);
+    const std::string processor = drawn_by_llvmpipe() ? "1" : "0";
+    source.insert(source.find('\n') + 1, "#define DRAWN_BY_PROCESSOR " + processor + "\n");  // below its version
     const char* text = source.c_str();
     GlShader shader(glCreateShader(kind));
     glShaderSource(shader.id(), 1, &text, nullptr);

@@ -117,13 +117,15 @@ Stage stage_of(const Scene& scene, bool with_person) {
 
 Framing framing_of(const FlagSettings& flag, const Stage& stage) {
     const Shape e = shape_of(flag);
-    const float top = 0.22f * e.size;
+    const float top = std::max(0.22f * e.size, stage.person ? stage.ground_height + 1.85f : 0.0f);
     // What lies down needs ground before it, and is seen from above.
     const bool falls = flag.attach == Attach::none && stage.ground;
     const float before = falls ? 0.45f : 0.12f;
     const float bottom = std::min(-e.height - 0.60f * e.size, stage.ground_height - before * e.size);
-    return {.centre = {0.5f * e.width, 0.5f * (top + bottom), 0.0f},
-            .width = e.width + 0.55f * e.size,
+    const float left = std::min(-0.275f * e.size, stage.person ? stage.person->x - 0.35f : 0.0f);
+    const float right = e.width + 0.275f * e.size;
+    return {.centre = {0.5f * (left + right), 0.5f * (top + bottom), 0.0f},
+            .width = right - left,
             .height = top - bottom,
             .ground = stage.ground ? stage.ground_height : -1e9f,
             .above = falls ? 15.0f : 0.0f};

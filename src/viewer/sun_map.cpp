@@ -31,8 +31,7 @@ SunView sun_view_of(const FieldBuffer<float>& position) {
             .side = 2.0f * around};
 }
 
-SunMap::SunMap() : depth_(make_texture()), target_(make_framebuffer()) {
-    if (drawn_by_llvmpipe()) side_ = 768, looks_ = 2;
+SunMap::SunMap() : depth_(make_texture()), target_(make_framebuffer()), side_(drawn_by_llvmpipe() ? 768 : 2048) {
     glActiveTexture(GL_TEXTURE7);
     glBindTexture(GL_TEXTURE_2D, depth_.id());
     glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, side_, side_, 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);

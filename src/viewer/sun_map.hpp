@@ -29,13 +29,12 @@ public:
     void begin() const;  // what is drawn until end casts shadows on what is drawn later
     void end() const;
 
-    int side() const { return side_; }    // pixels
-    int looks() const { return looks_; }  // at the map, of each pixel of the picture: more of them are softer
+    int side() const { return side_; }  // pixels
 
 private:
     GlTexture depth_;
     GlFramebuffer target_;
-    int side_ = 2048, looks_ = 8;
+    int side_;
 };
 
 }  // namespace drapeau

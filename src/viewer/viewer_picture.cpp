@@ -90,7 +90,7 @@ Picture Viewer::picture() const {
 
 void Viewer::draw() {
     const FlagSettings& flag = moment_.scene.flag;
-    framing_ = framing_of(flag, stage_of(moment_.scene));
+    framing_ = framing_of(flag, stage_of(moment_.scene, app_.scene.view.person));
     // What nothing holds falls; the camera goes with it, unless there is ground to see it fall upon.
     if (flag.attach == Attach::none && !moment_.scene.limits.get<Ground>())
         framing_.centre = middle_of(moment_.snapshot.position);
