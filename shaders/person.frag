@@ -21,12 +21,12 @@ float joined(float a, float b) {
 
 void main() {
     vec2 at = vec2(abs(place.x), place.y);  // both halves are alike
-    float body = limb(at, vec2(0.0, 1.36), vec2(0.0, 0.98), 0.150, 0.130);
-    body = joined(body, limb(at, vec2(0.0, 1.385), vec2(0.155, 1.37), 0.070, 0.062));
+    float body = limb(at, vec2(0.0, 1.36), vec2(0.0, 0.98), 0.128, 0.112);
+    body = joined(body, limb(at, vec2(0.0, 1.385), vec2(0.150, 1.37), 0.066, 0.056));
     body = joined(body, limb(at, vec2(0.0, 1.40), vec2(0.0, 1.56), 0.062, 0.048));
-    body = joined(body, limb(at, vec2(0.078, 0.94), vec2(0.098, 0.05), 0.085, 0.045));
-    float arm = joined(body, limb(at, vec2(0.185, 1.37), vec2(0.265, 0.84), 0.050, 0.034));
-    float head = limb(at, vec2(0.0, 1.645), vec2(0.0, 1.61), 0.105, 0.095);
+    body = joined(body, limb(at, vec2(0.068, 0.94), vec2(0.088, 0.05), 0.076, 0.042));
+    float arm = joined(body, limb(at, vec2(0.165, 1.36), vec2(0.235, 0.84), 0.044, 0.030));
+    float head = limb(at, vec2(0.0, 1.645), vec2(0.0, 1.60), 0.100, 0.088);
     float away = min(arm, joined(head, body));
     float cover = clamp(0.5 - away / max(fwidth(place.y), 1e-6), 0.0, 1.0);
     if (cover < 0.125) discard;  // half of a sample

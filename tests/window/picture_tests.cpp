@@ -69,8 +69,9 @@ TEST_CASE("between the masses the surface is smooth, and a switch shows the bare
     App app(screen, {written(folder, "ribbon.toml", folded_scene(9, 2, "0.5", "0.03", "")), "--size", "900x640",
                      "--elevation", "60"});
     app.press("space");
-    const Look look = app.wait_until("the pause", [](const Look& now) { return now.number("paused") == 1; });
-    const Box flag = look.box("flag");
+    app.wait_until("the pause", [](const Look& now) { return now.number("paused") == 1; });
+    app.wheel(app.look().box("view").at(0.5, 0.5), 8);
+    const Box flag = app.settle().box("flag");
     const Box around{flag.x0 - 20, flag.y0 - 20, flag.x1 + 20, flag.y1 + 20};
     const drapeau::Image smooth = app.picture();
     app.set("Bare grid", true);
@@ -81,8 +82,8 @@ TEST_CASE("between the masses the surface is smooth, and a switch shows the bare
     app.set("Bare grid", false);
     CHECK(changed(smooth, app.picture(), around).count() == 0);
 
-    CHECK(changed(smooth, bare, around).count() > 200);
-    const std::size_t reach = 6;  // pixels; a cell is over 50 wide
+    CHECK(changed(smooth, bare, around).count() > 2000);
+    const std::size_t reach = 12;  // pixels; a cell is about 100 long
     const double bend = sharpest_bend(left_edge(changed(nothing, smooth, around), 0.4, 0.8), reach);
     const double kink = sharpest_bend(left_edge(changed(nothing, bare, around), 0.4, 0.8), reach);
     CAPTURE(bend, kink);
