@@ -290,9 +290,8 @@ inline constexpr std::tuple view_keys{
               "The width follows from the height."}},
     Key{"bare_grid", &ViewSettings::bare_grid,
         About{"Bare grid", "", "flat facets between the masses, as they are simulated",
-              "Off: a smooth surface through all masses, which shows folds as cloth has them. The simulation is the "
-              "same "
-              "either way."}},
+              "Off: a smooth surface through all masses, which shows folds as cloth has them. Neither changes the "
+              "simulation."}},
     Key{"person", &ViewSettings::person,
         About{"Person", "", "a figure 1.75 m tall beside the flag, as a scale", "Shows how large the flag is."}},
 };
