@@ -6,7 +6,7 @@ const float around = 48.0;
 const float nearest = 0.25;  // m, or the eye's height if that is more
 const float growth = 1.45;
 
-out float across;  // m, over the mown bands
+out vec2 across;   // m, over and along the mown bands
 out float clear;   // 1 near, 0 where the haze hides everything
 out float edge;    // how gently one band passes into the next
 
@@ -17,8 +17,8 @@ void main() {
     float radius = ring < 0.5 ? 0.0 : height * 0.5 * pow(growth, ring - 1.0);
     vec3 place = vec3(eye.x + radius * cos(turn), ground.x, eye.z + radius * sin(turn));
     float away = distance(place, eye.xyz);
-    across = place.x + 0.3 * place.z;
-    clear = exp(-away * 0.016);
+    across = vec2(place.x + 0.3 * place.z, place.z - 0.3 * place.x);
+    clear = exp(-away * 0.0055);
     edge = clamp(3.5 / (1.0 + 0.25 * away), 0.0, 3.5);
     gl_Position = to_clip * vec4(place, 1.0);
     gl_Position.z = 0.9999 * gl_Position.w;  // behind everything but the sky

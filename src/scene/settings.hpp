@@ -292,6 +292,12 @@ inline constexpr std::tuple view_keys{
         About{"Background", "", "sky, studio or transparent",
               "studio: a plain backdrop, softly lit, with a floor that takes the shadow. transparent: neither sky nor "
               "ground; screenshots, and films of formats that can, keep it transparent."}},
+    Key{"bare_grid", &ViewSettings::bare_grid,
+        About{"Bare grid", "", "flat facets between the masses, as they are simulated",
+              "Off: a smooth surface through all masses, which shows folds as cloth has them. Neither changes the "
+              "simulation."}},
+    Key{"person", &ViewSettings::person,
+        About{"Person", "", "a figure 1.75 m tall beside the flag, as a scale", "Shows how large the flag is."}},
 };
 
 /// Calls visit for the table of a term or limit, if it has one.

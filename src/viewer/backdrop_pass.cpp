@@ -59,14 +59,9 @@ void BackdropPass::draw_ground(const Stage& stage) const {
 
 void BackdropPass::draw_standing(const Stage& stage) const {
     glBindVertexArray(nothing_.id());
-    if (stage.rods.size() == 1) {
-        slab_.use();
-        slab_.set("share", 1.0f);
-        slab_.set("color", slab_rim);
-        glDrawArrays(GL_TRIANGLE_FAN, 0, slab_facets);
-        slab_.set("share", 0.66f);
-        slab_.set("color", slab_middle);
-        glDrawArrays(GL_TRIANGLE_FAN, 0, slab_facets);
+    for (const Base& base : stage.bases) {
+        draw_slab(base, 1.0f, slab_rim, 0.0f);
+        draw_slab(base, 0.66f, slab_middle, 0.0001f);
     }
     glActiveTexture(GL_TEXTURE4);
     glBindTexture(GL_TEXTURE_2D, shadow_.id());
@@ -75,6 +70,15 @@ void BackdropPass::draw_standing(const Stage& stage) const {
     ground_shadow_.use();
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     glDisable(GL_BLEND);
+}
+
+void BackdropPass::draw_slab(const Base& base, float share, glm::vec3 color, float nearer) const {
+    slab_.use();
+    slab_.set("middle", base.place);
+    slab_.set("radius", share * base.radius);
+    slab_.set("color", color);
+    slab_.set("nearer", nearer);
+    glDrawArrays(GL_TRIANGLE_FAN, 0, slab_facets);
 }
 
 }  // namespace drapeau

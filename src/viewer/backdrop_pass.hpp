@@ -19,6 +19,7 @@ public:
 
 private:
     void draw_ground(const Stage& stage) const;
+    void draw_slab(const Base& base, float share, glm::vec3 color, float nearer) const;
 
     Shader sky_{"sky"};
     Shader ground_{"ground"};

@@ -56,7 +56,8 @@ float Camera::distance(const Framing& framing, const Area& view) const {
 }
 
 glm::vec3 Camera::eye(const Framing& framing, const Area& view) const {
-    const float a = glm::radians(azimuth), e = glm::radians(elevation);
+    const float a = glm::radians(azimuth);
+    const float e = glm::radians(std::clamp(elevation + framing.above, lowest, highest));
     const glm::vec3 towards_eye(std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e));
     glm::vec3 place = target(framing) + towards_eye * distance(framing, view);
     place.y = std::max(place.y, framing.ground + above_ground);

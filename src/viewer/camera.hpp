@@ -21,12 +21,13 @@ struct Framing {
     glm::vec3 centre{0.0f};
     float width = 1.0f, height = 1.0f;  // m
     float ground = -1e9f;               // m, height of the ground
+    float above = 0.0f;                 // degrees that it is seen from above, besides the camera's own
 };
 
 class Camera {
 public:
     float azimuth = default_azimuth;      // degrees to the right of the flag's front
-    float elevation = default_elevation;  // degrees above the flag
+    float elevation = default_elevation;  // degrees above the flag, besides the framing's
     float zoom = 1.0f;                    // 2 is twice as close as the framing asks
     glm::vec3 pan{0.0f};                  // m from the framing's centre
 
@@ -44,7 +45,7 @@ public:
     glm::mat4 projection(const Framing& framing, const Area& view, glm::vec2 picture) const;
 
     static constexpr float default_azimuth = -14.0f;
-    static constexpr float default_elevation = 3.0f;
+    static constexpr float default_elevation = -5.0f;
 };
 
 }  // namespace drapeau

@@ -1,15 +1,16 @@
 #include "flag_texture.hpp"
 
+#include "software_renderer.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 namespace drapeau {
 
 namespace {
 
-constexpr float wanted_anisotropy = 2.0f;
+constexpr float wanted_anisotropy = 8.0f;
 
 double linear(double srgb) {
     return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
@@ -26,13 +27,6 @@ Image multiplied_by_alpha(Image image) {
             image.rgba[c] = std::uint8_t(std::lround(255.0 * srgb(linear(image.rgba[c] / 255.0) * alpha / 255.0)));
     }
     return image;
-}
-
-/// Mesa's software renderer (22.3) never ends the loop of its anisotropic filter where a triangle is seen almost
-/// edge-on.
-bool is_llvmpipe() {
-    const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    return renderer && std::string_view(renderer).starts_with("llvmpipe");
 }
 
 }  // namespace
@@ -59,7 +53,9 @@ void FlagTexture::load(Image image) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    if (GLEW_EXT_texture_filter_anisotropic && !is_llvmpipe()) {
+    // Mesa's software renderer (22.3) never ends the loop of its anisotropic filter where a triangle is seen almost
+    // edge-on.
+    if (GLEW_EXT_texture_filter_anisotropic && !drawn_by_llvmpipe()) {
         GLfloat most = 1.0f;
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
         glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::min(most, wanted_anisotropy));

@@ -7,8 +7,6 @@ namespace drapeau {
 
 namespace {
 
-const glm::vec3 to_sun = glm::normalize(glm::vec3(-0.50f, 0.62f, 0.60f));
-
 // The part of the ground where the shadow of the stage's box may lie.
 glm::vec4 shadow_area(const Stage& stage) {
     glm::vec2 low(1e9f), high(-1e9f);
@@ -24,18 +22,18 @@ glm::vec4 shadow_area(const Stage& stage) {
 
 }  // namespace
 
-FrameBlock frame_block(const Picture& picture, glm::vec2 size) {
+FrameBlock frame_block(const Picture& picture, glm::vec2 size, const SunView& sun, int sun_map_side) {
     const glm::mat4 to_clip = picture.projection * picture.view;
     const Stage& stage = picture.stage;
-    const bool pole = stage.rods.size() == 1;
-    const Rod foot = pole ? stage.rods.front() : Rod{.radius = 0.0f};
     return {.to_clip = to_clip,
             .to_world = glm::inverse(to_clip),
             .eye = glm::vec4(picture.eye, 1.0f),
             .sun = glm::vec4(to_sun, 0.0f),
             .picture = {size.x, size.y, picture.pixel_scale, 0.0f},
-            .ground = {stage.ground_height, stage.ground ? 1.0f : 0.0f, foot.from.x, 9.0f * foot.radius},
-            .shadow = shadow_area(stage)};
+            .ground = {stage.ground_height, stage.ground ? 1.0f : 0.0f, 0.0f, 0.0f},
+            .shadow = shadow_area(stage),
+            .to_sun_map = sun.to_map,
+            .sun_map = {sun.side / float(sun_map_side), 1.0f / float(sun_map_side), 0.0f, 0.0f}};
 }
 
 }  // namespace drapeau

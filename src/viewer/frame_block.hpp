@@ -2,6 +2,7 @@
 #pragma once
 
 #include "picture.hpp"
+#include "sun_map.hpp"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -14,10 +15,12 @@ struct FrameBlock {
     glm::vec4 eye;
     glm::vec4 sun;      // towards the sun
     glm::vec4 picture;  // width and height in pixels, pixels per unit of line width
-    glm::vec4 ground;   // height, 1 if there is ground, x of the pole's foot, radius of the slab it stands on
+    glm::vec4 ground;   // height, 1 if there is ground
     glm::vec4 shadow;   // x, z of the shadow texture's corner on the ground and 1 / its sides
+    glm::mat4 to_sun_map;
+    glm::vec4 sun_map;  // a pixel of it in m, and as a share of its side
 };
 
-FrameBlock frame_block(const Picture& picture, glm::vec2 size);
+FrameBlock frame_block(const Picture& picture, glm::vec2 size, const SunView& sun, int sun_map_side);
 
 }  // namespace drapeau

@@ -1,7 +1,6 @@
 #include "grid_textures.hpp"
 
-#include <cstdint>
-#include <vector>
+#include "cloth_mesh.hpp"
 
 namespace drapeau {
 
@@ -40,22 +39,11 @@ void GridTextures::allocate(const Snapshot& snapshot) {
         glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, stride_, rows_, 0, GL_RED, GL_FLOAT, nullptr);
     }
 
-    // Two triangles a cell, the cut alternating, so that no direction is favoured.
-    std::vector<std::uint32_t> indices;
-    indices.reserve(std::size_t(columns_) * std::size_t(rows_) * 6);
-    for (int row = 0; row + 1 < rows_; ++row)
-        for (int column = 0; column + 1 < columns_; ++column) {
-            const auto a = std::uint32_t(row * columns_ + column), b = a + 1;
-            const auto c = a + std::uint32_t(columns_), d = c + 1;
-            if ((row + column) % 2 == 0)
-                indices.insert(indices.end(), {a, c, b, b, c, d});
-            else
-                indices.insert(indices.end(), {a, c, d, a, d, b});
-        }
+    const auto indices = triangles_between(columns_, rows_);
     index_count_ = int(indices.size());
     glBindVertexArray(triangles_.id());
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(std::uint32_t)), indices.data(),
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(indices[0])), indices.data(),
                  GL_STATIC_DRAW);
     glBindVertexArray(0);
 }

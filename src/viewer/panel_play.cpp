@@ -55,6 +55,9 @@ void choose_view(AppState& app, Widgets& widgets) {
     toggle(&ViewSettings::forces);
     ImGui::SameLine(half);
     toggle(&ViewSettings::reference);
+    toggle(&ViewSettings::bare_grid);
+    ImGui::SameLine(half);
+    toggle(&ViewSettings::person);
     edit(widgets, "view", row_of(&ViewSettings::background, view_keys), view, app.origin.view);
 }
 

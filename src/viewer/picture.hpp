@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace drapeau {
@@ -24,10 +25,18 @@ struct Ball {
     glm::vec3 color{0.5f};
 };
 
+/// A disc on the ground that a post stands on.
+struct Base {
+    glm::vec2 place{0.0f};  // x and z
+    float radius = 0.2f;    // m
+};
+
 /// What holds the flag and what it stands on.
 struct Stage {
     std::vector<Rod> rods;
     std::vector<Ball> balls;
+    std::vector<Base> bases;
+    std::optional<glm::vec3> person;  // where its feet stand
     bool ground = true;
     float ground_height = -2.0f;      // m
     glm::vec3 low{0.0f}, high{0.0f};  // a box around what may cast a shadow
@@ -58,11 +67,14 @@ struct Picture {
     bool springs = false;
     bool forces = false;
     bool masses = false;
-    float reference = 0.0f;    // opacity of its wireframe; 0: there is none
-    SpringKinds kinds;         // of springs
-    float force_scale = 1.0f;  // N, of the reddest colour
-    glm::ivec4 hidden{0};      // x, y, width, height of what panels will cover, pixels from below: not drawn
-    float pixel_scale = 1.0f;  // pixels of the picture per unit of line width
+    bool bare_grid = false;      // flat facets between the masses
+    glm::vec2 cloth_size{1.0f};  // width and height at rest, m
+    bool header = false;         // a tape along the hoist, with grommets at its ends
+    float reference = 0.0f;      // opacity of its wireframe; 0: there is none
+    SpringKinds kinds;           // of springs
+    float force_scale = 1.0f;    // N, of the reddest colour
+    glm::ivec4 hidden{0};        // x, y, width, height of what panels will cover, pixels from below: not drawn
+    float pixel_scale = 1.0f;    // pixels of the picture per unit of line width
     Stage stage;
     Background background = Background::sky;
 };

@@ -13,21 +13,31 @@ void Renderer::send(const FrameBlock& block) {
     glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof block, &block);
 }
 
+void Renderer::upload(const Snapshot& snapshot) {
+    grid_.upload(snapshot);
+    sun_view_ = sun_view_of(snapshot.position);
+}
+
 void Renderer::draw_shadow(const Picture& picture, glm::vec2 size) {
-    send(frame_block(picture, size));
+    send(frame_block(picture, size, sun_view_, sun_map_.side()));
     grid_.bind();
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_TEST);
+    mesh_ = surface_.follow(grid_, {picture.kinds.fly.rest, picture.kinds.hoist.rest}, picture.bare_grid);
+    sun_map_.begin();
+    if (picture.cloth) cloth_.draw_towards_sun(mesh_, picture, texture_);
+    solids_.draw_towards_sun(picture.stage);
+    sun_map_.end();
     backdrop_.begin_shadow();
-    if (picture.cloth) cloth_.draw_shadow(grid_, picture, texture_);
+    if (picture.cloth) cloth_.draw_shadow(mesh_, picture, texture_);
     solids_.draw_shadow(picture.stage);
     backdrop_.end_shadow();
 }
 
 void Renderer::draw_scene(const Picture& picture, glm::vec2 size) {
-    send(frame_block(picture, size));
+    send(frame_block(picture, size, sun_view_, sun_map_.side()));
     grid_.bind();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
@@ -49,8 +59,9 @@ void Renderer::draw_scene(const Picture& picture, glm::vec2 size) {
     }
 
     // Opaque things first, so that the backdrop is computed only where it shows.
-    if (picture.cloth) cloth_.draw(grid_, picture, texture_);
+    if (picture.cloth) cloth_.draw(mesh_, picture, texture_);
     solids_.draw(picture.stage);
+    person_.draw(picture.stage);
     draw_background(picture);
 
     glEnable(GL_BLEND);

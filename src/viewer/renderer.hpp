@@ -3,14 +3,17 @@
 
 #include "backdrop_pass.hpp"
 #include "cloth_pass.hpp"
+#include "cloth_surface.hpp"
 #include "flag_texture.hpp"
 #include "frame_block.hpp"
 #include "grid_textures.hpp"
 #include "mass_pass.hpp"
+#include "person_pass.hpp"
 #include "picture.hpp"
 #include "solid_pass.hpp"
 #include "spring_pass.hpp"
 #include "studio_pass.hpp"
+#include "sun_map.hpp"
 
 namespace drapeau {
 
@@ -18,11 +21,11 @@ class Renderer {
 public:
     Renderer();
 
-    void upload(const Snapshot& snapshot) { grid_.upload(snapshot); }
+    void upload(const Snapshot& snapshot);
     void upload_reference(const Snapshot& snapshot) { reference_.upload(snapshot); }
     FlagTexture& texture() { return texture_; }
 
-    /// The shadow's texture, drawn before the scene; leaves another framebuffer bound.
+    /// The smooth surface and the shadows, drawn before the scene; leaves another framebuffer bound.
     void draw_shadow(const Picture& picture, glm::vec2 size);
     void draw_scene(const Picture& picture, glm::vec2 size);
     /// Under a picture whose background is transparent, for the eye alone.
@@ -34,11 +37,16 @@ private:
 
     GlBuffer block_;
     GridTextures grid_, reference_;
+    ClothSurface surface_;
+    ClothMesh mesh_;
+    SunView sun_view_;
+    SunMap sun_map_;
     FlagTexture texture_;
     ClothPass cloth_;
     SolidPass solids_;
     SpringPass springs_;
     MassPass masses_;
+    PersonPass person_;
     BackdropPass backdrop_;
     StudioPass studio_;
 };

@@ -1,5 +1,7 @@
 #include "shader.hpp"
 
+#include "software_renderer.hpp"
+
 #include "io/error.hpp"
 
 #include <fstream>
@@ -40,7 +42,9 @@ std::string read_source(const fs::path& folder, const std::string& name) {
 }
 
 GlShader compile(GLenum kind, const fs::path& folder, const std::string& name) {
-    const std::string source = read_source(folder, name);
+    std::string source = read_source(folder, name);
+    const std::string processor = drawn_by_llvmpipe() ? "1" : "0";
+    source.insert(source.find('\n') + 1, "#define DRAWN_BY_PROCESSOR " + processor + "\n");  // below its version
     const char* text = source.c_str();
     GlShader shader(glCreateShader(kind));
     glShaderSource(shader.id(), 1, &text, nullptr);
@@ -70,7 +74,7 @@ Shader::Shader(const std::string& vertex, const std::string& fragment) : program
         throw std::runtime_error("shaders " + vertex + ", " + fragment + " do not link: " + log.data());
     }
 
-    // The same names stand for the same places in every shader: the frame's constants and the position textures.
+    // The same names stand for the same places in every shader: the frame's constants, the position textures and so on.
     const GLuint block = glGetUniformBlockIndex(program_.id(), "Frame");
     if (block != GL_INVALID_INDEX) glUniformBlockBinding(program_.id(), block, 0);
     use();
@@ -78,6 +82,9 @@ Shader::Shader(const std::string& vertex, const std::string& fragment) : program
     set("position_y", 1);
     set("position_z", 2);
     set("picture", 3);
+    set("surface_place", 5);
+    set("surface_normal", 6);
+    set("sun_map", 7);
 }
 
 void Shader::set(const char* name, int value) const {

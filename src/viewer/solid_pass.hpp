@@ -12,6 +12,7 @@ public:
     SolidPass() : nothing_(make_vertex_array()) {}
 
     void draw(const Stage& stage) const { draw_with(solid_, stage); }
+    void draw_towards_sun(const Stage& stage) const { draw_with(sun_, stage); }
     void draw_shadow(const Stage& stage) const { draw_with(shadow_, stage); }
 
 private:
@@ -19,6 +20,7 @@ private:
 
     Shader solid_{"solid"};
     Shader shadow_{"solid_shadow", "shadow"};
+    Shader sun_{"solid_sun", "shadow"};
     GlVertexArray nothing_;
 };
 

@@ -8,7 +8,11 @@
 
 namespace drapeau {
 
-Stage stage_of(const Scene& scene);
+/// Whether a tape with grommets runs along the hoist.
+bool has_header(const FlagSettings& flag);
+
+/// `with_person`: a person stands to the left of it, as a scale.
+Stage stage_of(const Scene& scene, bool with_person = false);
 
 Framing framing_of(const FlagSettings& flag, const Stage& stage);
 

@@ -59,6 +59,7 @@ float reference_opacity(const Status& status) {
 
 Picture Viewer::picture() const {
     const ViewSettings& view = app_.scene.view;
+    const FlagSettings& flag = moment_.scene.flag;
     const float pixel_scale = float(target_.height()) / std::max(1.0f, size().y);
     return {.view = camera_.view_matrix(framing_, app_.view_area),
             .projection = camera_.projection(framing_, app_.view_area, size()),
@@ -69,18 +70,21 @@ Picture Viewer::picture() const {
             .springs = view.springs,
             .forces = view.forces,
             .masses = view.masses,
+            .bare_grid = view.bare_grid,
+            .cloth_size = {float(flag.width), float(flag.height)},
+            .header = has_header(flag),
             .reference = reference_opacity(app_.status),
             .kinds = moment_.kinds,
             .force_scale = float(app_.status.force_scale),
             .hidden = pixels_under(app_.panel_area, pixel_scale, target_.height()),
             .pixel_scale = pixel_scale,
-            .stage = stage_of(moment_.scene),
+            .stage = stage_of(moment_.scene, view.person),
             .background = view.background};
 }
 
 void Viewer::draw() {
     const FlagSettings& flag = moment_.scene.flag;
-    framing_ = framing_of(flag, stage_of(moment_.scene));
+    framing_ = framing_of(flag, stage_of(moment_.scene, app_.scene.view.person));
     // What nothing holds falls; the camera goes with it, unless there is ground to see it fall upon.
     if (flag.attach == Attach::none && !moment_.scene.limits.get<Ground>())
         framing_.centre = middle_of(moment_.snapshot.position);
