@@ -37,6 +37,8 @@ struct Simulation::Run {
     Readings readings;               // the newest
     long long readings_batches = 0;  // batches since then
     std::string start_remark;
+    std::optional<Pull> pull;  // of a hand, from the next batch on
+    PullReport pulled;         // of the steps last asked for
 
     Run(const Scene& wanted, const State<double>& state, double time, long long steps, bool exact_dt)
         : scene(wanted), exact(exact_dt) {
@@ -115,10 +117,13 @@ struct Simulation::Run {
         const double end = now.clock.at(now.steps + count);
         const auto steps_left = [&] { return std::llround((end - now.time()) / now.clock.dt); };
         limit = {};
+        pulled = {};
         for (long long left = count; left > 0;) {
             if (in_batch_ == 0) {
                 const double dt = now.clock.dt;
                 haul();
+                engine->pull(now.steps, pull);
+                if (pull) forget_errors();  // what is run again is not pulled
                 if (!heed_errors(abandon)) return {};
                 if (now.clock.dt != dt) left = std::max(1LL, steps_left());
                 watch.begin_batch(*engine, now);
@@ -133,6 +138,7 @@ struct Simulation::Run {
             now.steps = reached;
             watch.count(report);
             limit.add(report.limit);
+            pulled.add(report.pull);
             solves.add(report.solves);
             if (reached < to) return {};  // abandoned
             const bool within = reached < batch_end_;
