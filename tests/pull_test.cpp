@@ -64,14 +64,16 @@ TEST_CASE("whatever a hand does, no method breaks on it, and the cloth is not to
             const double before = simulation.dt();
             const double work = double(simulation.steps_per_batch()) * columns * rows;
             if (work > 5e7) continue;  // forward Euler's steps, a quarter of a million a batch
-            const int batches = std::clamp(int(1.2e7 / work), 3, 120);
+            const int batches = std::clamp(int(4e6 / work), 3, 120);
             const double stretch = greatest_stretch_of_extremes(simulation, batches);
             const double created = simulation.readings().created_share;
             simulation.pull({});
             for (int n = 0; n < (batches + 2) / 3; ++n) REQUIRE_FALSE(simulation.advance_batch());
             REQUIRE_FALSE(simulation.check());
-            WARN(name << " " << columns << " stretch " << stretch << " created " << created << " dt " << before
-                      << " -> " << simulation.dt());
+            // A quarter by the hand at most, less than that by the wind; waves overlap.
+            CHECK(stretch < 0.3);
+            CHECK(std::abs(created) < 0.1);
+            CHECK(simulation.dt() == before);  // nothing asked for a smaller step
         }
 }
 
@@ -127,6 +129,8 @@ TEST_CASE("a weight hangs from a hand by the spring's length that carries it, an
     scene.springs = {
         .mass = 0.004, .stiffness = 400.0, .diagonal_stiffness = 200.0, .damping = 0.05, .drag = 0.05, .friction = {}};
     scene.gravity() = Gravity{};
+    scene.time.method = GENERATE(method_id<SemiImplicitEuler>, method_id<Leapfrog>, method_id<ImplicitEuler>);
+    scene.time.precision = Precision::double_precision;
     Simulation simulation(scene);
     const glm::dvec3 hand(0.75, 0.0, 0.0);
     simulation.pull(Pull{0.5, 0.0, hand});

@@ -1,9 +1,9 @@
 // Pull: a hand that takes hold of the cloth at one place and pulls through a spring and a damper, after every move.
 //
 // What is held is a patch: the free mass that is nearest to the place and its neighbours within 5 cm, with weights
-// that fall off smoothly, moved as one degree of freedom. The force is that of the step's end (backward Euler), and
-// what it meets within the step is the patch's mass and what the cloth's own springs resist with. A step is thus never
-// carried past where spring and hand are in balance, whatever the step, and no limit of stability is lowered.
+// that fall off smoothly, moved as one degree of freedom. The force is that of the step's end (backward Euler): it
+// makes the patch heavier by dt C + dt2 K for all that pushes it within the step, so no limit of stability is lowered.
+// Where a method solves for the springs, what they resist with belongs to the patch's mass as well.
 //
 // However far away the hand is, the spring pulls with `strongest` at most, a quarter of what would double the length of
 // the threads that are held (and 40 times the flag's weight at 9.8 m/s2), and the damper takes all of that at 10 m/s: a
@@ -83,15 +83,16 @@ public:
     double strongest() const { return strongest_; }  // N
     double stiffness() const { return stiffness_; }  // N/m, between hand and patch
 
-    /// Moves the masses of the patch by what the hand adds to their velocities in a step of dt (s).
+    /// Moves the masses of the patch by what the hand adds to their velocities in a step of dt (s). `solves`: the
+    /// method's step gives way to springs as they will be, so a force meets their resistance too.
     template <class Real, class Follow>
-    void pull(const Field<Real>* fields, double dt, PullReport& report, const Follow& follow) const {
+    void pull(const Field<Real>* fields, double dt, bool solves, PullReport& report, const Follow& follow) const {
         glm::dvec3 place(0.0), velocity(0.0);
         for (const Share& share : shares_) {
             place += share.of_place * at(fields[0], share);
             velocity += share.of_place * at(fields[1], share);
         }
-        const double met = mass_ + dt * own_damping_ + dt * dt * own_stiffness_;  // kg, what a force meets in a step
+        const double met = mass_ + (solves ? dt * own_damping_ + dt * dt * own_stiffness_ : 0.0);  // kg
         const glm::dvec3 force = force_on(place, velocity, dt, met);
         const glm::dvec3 faster = dt / met * force;  // m/s, of the patch
         report.seconds += dt;

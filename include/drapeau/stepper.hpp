@@ -260,7 +260,7 @@ private:
     void pull_on(double dt, PullReport& report) {
         Field<Real> fields[max_fields]{};
         for (int f = 0; f < body_.kernels.fields; ++f) fields[f] = body_.fields[f].view();
-        grip_.pull(fields, dt, report, body_.kernels.follow);
+        grip_.pull(fields, dt, body_.kernels.step != nullptr, report, body_.kernels.follow);
     }
 
     void restart(double now, double dt) {

@@ -3,9 +3,12 @@
 
 #include "camera.hpp"
 #include "findings.hpp"
+#include "hand.hpp"
 #include "message.hpp"
+#include "readout.hpp"
 #include "run/simulation.hpp"
 #include "scene/material.hpp"
+#include "wind_streaks.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -70,6 +73,7 @@ struct Status {
     std::optional<StretchLimit> limit;      // of the scene that runs
     std::optional<ReferenceGap> reference;  // while one is shown and there is something to say of it
     double force_scale = 1.0;               // N
+    double pull_force = 0.0;                // N, of the hand that holds the cloth
     bool clock = true;                      // false: wall-clock readings are not shown, so that pictures repeat
     double real_time_factor = 0.0;
     double step_seconds = 0.0;      // wall-clock
@@ -107,6 +111,11 @@ struct AppState {
     std::optional<Question> question;
     Status status;
     Findings findings;
+    Hand hand;            // on the cloth
+    Readout readout;      // of what was clicked
+    bool orbits = false;  // the camera goes slowly around
+    Lens lens;            // of this frame
+    WindStreaks streaks;  // while the wind is shown
     Commands commands;
 
     // What the panels took of the window in this frame, in window units.
@@ -132,12 +141,17 @@ inline void say_why_it_stands(AppState& app) {
     say(app, Message::Cause::standstill, app.status.standstill(), true);
 }
 
-/// Closes what was opened last: a question, unanswered, before the list of keys and the message.
+/// Closes what was opened last: a question, unanswered, before the list of keys, the readout and the message. A hand
+/// that holds the cloth lets go first.
 inline void close_one(AppState& app) {
-    if (app.question)
+    if (app.hand.is_busy())
+        app.hand.let_go();
+    else if (app.question)
         app.question.reset();
     else if (app.help_shown)
         app.help_shown = false;
+    else if (app.readout.chosen())
+        app.readout.close();
     else
         app.message.text.clear();
 }

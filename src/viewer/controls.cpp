@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace drapeau {
 
@@ -12,7 +13,9 @@ namespace {
 
 constexpr double double_click_seconds = 0.4;
 constexpr float double_click_pixels = 6.0f;
-constexpr float arrow_pixels = 20.0f;  // an arrow key turns as far as this drag
+constexpr float click_pixels = 4.0f;    // a hand that clicks moves by less
+constexpr double marks_of_pole = 20.0;  // a key hauls the flag from one to the next
+constexpr float arrow_pixels = 20.0f;   // an arrow key turns as far as this drag
 
 void load_dropped(const std::string& file, AppState& app) {
     if (ending_of(meant_path(file)) == ".toml")
@@ -23,6 +26,13 @@ void load_dropped(const std::string& file, AppState& app) {
 
 void toggle(bool& value) {
     value = !value;
+}
+
+/// Hauls the flag along its pole, from where its halyard is to the next mark.
+void hoist(AppState& app, double marks) {
+    auto& halyard = app.scene.flag.halyard;
+    if (!halyard && marks > 0.0) return;  // at the top
+    halyard = std::clamp(std::round(halyard.value_or(1.0) * marks_of_pole + marks) / marks_of_pole, 0.0, 1.0);
 }
 
 /// Whether the key does something whatever it types.
@@ -48,6 +58,12 @@ bool named_key(Key key, AppState& app, Camera& camera) {
             return true;
         case Key::down:
             camera.turn({0.0f, arrow_pixels});
+            return true;
+        case Key::page_up:
+            hoist(app, 1.0);
+            return true;
+        case Key::page_down:
+            hoist(app, -1.0);
             return true;
         case Key::keypad_add:
             camera.closer(1.0f);
@@ -115,6 +131,12 @@ void letter_key(char letter, AppState& app) {
         case 'd':
             toggle_diagonals(app);
             break;
+        case 'o':
+            toggle(app.orbits);
+            break;
+        case 'w':
+            toggle(view.wind);
+            break;
         case 'h':
             app.toggle_panel();
             break;
@@ -141,15 +163,17 @@ void Controls::apply(const std::vector<InputEvent>& events, const Claims& claims
                 press(event, claimed, app);
                 break;
             case Kind::release:
-                drag_ = Drag::none;
+                release(event, app);
                 break;
             case Kind::move:
+                if (glm::length(event.at - pressed_at_) > click_pixels) still_ = false;
+                app.hand.move_to(event.at);
                 if (drag_ == Drag::turn) camera.turn(event.at - last_);
                 if (drag_ == Drag::slide) camera.slide(event.at - last_, framing, app.view_area);
                 last_ = event.at;
                 break;
             case Kind::scroll:
-                if (!claimed) camera.closer(event.amount);
+                if (!claimed) camera.closer(event.amount, event.at, framing, app.view_area);
                 break;
             case Kind::drop:
                 load_dropped(event.file, app);
@@ -174,6 +198,11 @@ void Controls::press(const InputEvent& event, bool claimed, AppState& app) {
     drag_ = Drag::none;
     if (claimed) return;
     last_ = event.at;
+    still_ = false;
+    if (event.button == MouseButton::left && event.shift) {
+        drag_ = Drag::pull;
+        return app.hand.take_hold(event.at);
+    }
     if (event.button == MouseButton::right || event.button == MouseButton::middle) drag_ = Drag::slide;
     if (event.button != MouseButton::left) return;
     drag_ = Drag::turn;
@@ -182,6 +211,14 @@ void Controls::press(const InputEvent& event, bool claimed, AppState& app) {
     if (twice) app.commands.reset_camera = true;
     pressed_time_ = twice ? -1e6 : event.time;
     pressed_at_ = event.at;
+    still_ = !twice;
+}
+
+// The window system releases what is down where the window loses the keyboard, and tells of a release beside it.
+void Controls::release(const InputEvent& event, AppState& app) {
+    if (drag_ == Drag::pull) app.hand.let_go();
+    if (drag_ == Drag::turn && still_) app.hand.click(event.at);
+    drag_ = Drag::none;
 }
 
 // One press does one thing: what the key is, else what it types, else its letter.

@@ -20,6 +20,8 @@ enum class Key {
     right,
     up,
     down,
+    page_up,
+    page_down,
     keypad_add,
     keypad_subtract,
     keypad_decimal
@@ -34,6 +36,7 @@ struct InputEvent {
     Key key = Key::other;
     MouseButton button = MouseButton::other;
     bool control = false;  // the control key was down
+    bool shift = false;    // of a button: the shift key was down
     bool desktop = false;  // Alt or Super was down: a shortcut of the desktop
     int code = 0;          // of a key: GLFW's number for it, that of its letter where it has one
     char letter = '\0';    // of a key: the shortcut letter it stands for, a to z

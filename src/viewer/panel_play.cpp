@@ -47,6 +47,7 @@ void choose_view(AppState& app, Widgets& widgets) {
     toggle(&ViewSettings::forces);
     ImGui::SameLine(half);
     toggle(&ViewSettings::reference);
+    toggle(&ViewSettings::wind);
 }
 
 }  // namespace

@@ -99,6 +99,17 @@ void SimulationThread::ask_step() {
     wanted_.notify_one();
 }
 
+void SimulationThread::pull(const std::optional<Pull>& by) {
+    {
+        const std::lock_guard lock(mutex_);
+        const bool let_go = pull_ && !by;
+        pull_ = by;
+        if (!let_go || !reference_wanted_) return;
+        reference_asked_ = true;
+    }
+    wanted_.notify_one();
+}
+
 void SimulationThread::follow_reference(bool wanted) {
     {
         const std::lock_guard lock(mutex_);
@@ -178,6 +189,7 @@ void SimulationThread::work() {
         if (change && change->scene.flag.start == Start::hanging) settles_since_ = std::chrono::steady_clock::now();
         const bool single = !change && single_steps_ > 0;
         abandon_ = false;
+        simulation_.pull(pull_);
         lock.unlock();
         if (begins) begin_reference();  // whatever becomes of a change, which begins one of its own
         const bool advanced = !reference_only && carry_out(change, single);
@@ -313,6 +325,7 @@ void SimulationThread::publish(bool fresh) {
     now_.lowered_because = simulation_.lowered_because();
     now_.precision_remark = simulation_.precision_remark();
     now_.start_remark = simulation_.start_remark();
+    now_.pull_force = simulation_.pull_force();
     now_.kinds = kinds_of(simulation_.model());
     if (reference_) reference_->follow(now_.snapshot);
     Moment moment = now_;

@@ -142,7 +142,8 @@ void Viewer::input() {
     lay_out(app_, size().x, size().y, repeatable() ? 1.0f : window_.content_scale());
     const ImGuiIO& io = ImGui::GetIO();
     controls_.apply(events, {.mouse = io.WantCaptureMouse, .keyboard = io.WantTextInput}, framing_, app_, camera_);
-    if (app_.commands.reset_camera) camera_.reset();
+    if (app_.commands.reset_camera) camera_.reset(), app_.orbits = false;
+    follow_hand();
 }
 
 void Viewer::exchange() {
@@ -150,6 +151,7 @@ void Viewer::exchange() {
     const double passed = std::min(now - last_time_, longest_frame_seconds);
     last_time_ = now;
     wall_ += passed;
+    if (app_.orbits) camera_.orbit(passed);
 
     load_wanted();
     save_wanted();
@@ -272,9 +274,12 @@ void Viewer::receive(double passed) {
         status.precision_remark = moment_.precision_remark;
         status.start_remark = moment_.start_remark;
         status.limit = moment_.scene.limits.get<StretchLimit>();
+        status.pull_force = moment_.pull_force;
         status.step_seconds = moment_.step_seconds;
         status.force_scale = force_scale_.newtons();
     }
+    app_.readout.observe(moment_.snapshot, moment_.scene);
+    if (app_.scene.view.wind && app_.scene.wind()) app_.streaks.drift(*app_.scene.wind(), framing_, status.time);
     receive_reference();
     status.settling = simulation_.settling();
     if (runs())

@@ -62,6 +62,7 @@ private:
     void receive(double wall_seconds);
     void receive_reference();
     void measure_wanted();
+    void follow_hand();
     void hear_of_run();
     void keep_proportions();
     void take_screenshot(const std::filesystem::path& file);

@@ -42,6 +42,10 @@ Key key_of(int code) {
             return Key::up;
         case GLFW_KEY_DOWN:
             return Key::down;
+        case GLFW_KEY_PAGE_UP:
+            return Key::page_up;
+        case GLFW_KEY_PAGE_DOWN:
+            return Key::page_down;
         case GLFW_KEY_KP_ADD:
             return Key::keypad_add;
         case GLFW_KEY_KP_SUBTRACT:
@@ -95,7 +99,8 @@ char letter_of(int code, int scancode) {
 
 void on_key(GLFWwindow* window, int code, int scancode, int action, int modifiers) {
     const Key key = key_of(code);
-    const bool repeats = key == Key::left || key == Key::right || key == Key::up || key == Key::down;
+    const bool repeats = key == Key::left || key == Key::right || key == Key::up || key == Key::down ||
+                         key == Key::page_up || key == Key::page_down;
     if (action == GLFW_REPEAT && !repeats) return;
     InputEvent& event = queue(window, action == GLFW_RELEASE ? Kind::key_up : Kind::key);
     event.key = key;
@@ -112,6 +117,7 @@ void on_character(GLFWwindow* window, unsigned character) {
 void on_button(GLFWwindow* window, int button, int action, int modifiers) {
     InputEvent& event = queue(window, action == GLFW_PRESS ? Kind::press : Kind::release);
     event.button = button_of(button);
+    event.shift = modifiers & GLFW_MOD_SHIFT;
     event.control = modifiers & GLFW_MOD_CONTROL;
 }
 
