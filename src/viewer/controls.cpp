@@ -31,7 +31,8 @@ void toggle(bool& value) {
 /// Hauls the flag along its pole, from where its halyard is to the next mark.
 void hoist(AppState& app, double marks) {
     auto& halyard = app.scene.flag.halyard;
-    if (!halyard && marks > 0.0) return;  // at the top
+    const bool at_the_top = !halyard && marks > 0.0;
+    if (at_the_top || app.scene.flag.attach == Attach::none) return;
     halyard = std::clamp(std::round(halyard.value_or(1.0) * marks_of_pole + marks) / marks_of_pole, 0.0, 1.0);
 }
 
@@ -195,6 +196,7 @@ void Controls::apply(const std::vector<InputEvent>& events, const Claims& claims
 }
 
 void Controls::press(const InputEvent& event, bool claimed, AppState& app) {
+    if (drag_ == Drag::pull) app.hand.let_go();
     drag_ = Drag::none;
     if (claimed) return;
     last_ = event.at;

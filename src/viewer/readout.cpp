@@ -61,7 +61,7 @@ void Readout::choose(const Selection& selection) {
 }
 
 void Readout::observe(const Snapshot& snapshot, const Scene& scene) {
-    if (snapshot.time != last_.time) {
+    if (snapshot.time != last_.time || last_.position.columns() == 0) {
         std::swap(before_, last_);
         last_ = snapshot;
     }
