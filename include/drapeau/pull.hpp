@@ -3,7 +3,9 @@
 // What is held is a patch: the free mass that is nearest to the place and its neighbours within 5 cm, with weights
 // that fall off smoothly, moved as one degree of freedom. The force is that of the step's end (backward Euler): it
 // makes the patch heavier by dt C + dt2 K for all that pushes it within the step, so no limit of stability is lowered.
-// Where a method solves for the springs, what they resist with belongs to the patch's mass as well.
+// A method that solves for the springs takes the push at the beginning of a step instead, as velocity alone: the solve
+// spreads it, and what the springs about the patch resist with belongs to its mass when the force is found. Its steps
+// are large, so the patch is too (a third of the flag's shorter side), and would move by a twentieth of that at most.
 //
 // However far away the hand is, the spring pulls with `strongest` at most, a quarter of what would double the length of
 // the threads that are held (and 40 times the flag's weight at 9.8 m/s2), and the damper takes all of that at 10 m/s: a
@@ -69,7 +71,8 @@ std::optional<std::pair<int, int>> nearest_free(const Grid& grid, double across,
 class Grip {
 public:
     Grip() = default;
-    Grip(const Model& model, const Pull& pull) : target_(pull.target) {
+    Grip(const Model& model, const Pull& pull, bool solves) : target_(pull.target) {
+        if (solves) radius_ = std::fmax(radius_, wide * shorter_side(model.grid));
         const auto held = [&](int i, int j) { return model.held(i, j); };
         const auto middle = nearest_free(model.grid, pull.across, pull.down, held);
         if (!middle) return;
@@ -83,29 +86,36 @@ public:
     double strongest() const { return strongest_; }  // N
     double stiffness() const { return stiffness_; }  // N/m, between hand and patch
 
-    /// Moves the masses of the patch by what the hand adds to their velocities in a step of dt (s). `solves`: the
-    /// method's step gives way to springs as they will be, so a force meets their resistance too.
+    template <class Real>
+    glm::dvec3 place(const Field<Real>& position) const {  // m, of the patch
+        glm::dvec3 sum(0.0);
+        for (const Share& share : shares_) sum += share.of_place * at(position, share);
+        return sum;
+    }
+
+    /// Adds to velocities what the hand gives in a step of dt (s), and to places what follows: after a step, or before
+    /// one where the method `solves`, which moves them itself.
     template <class Real, class Follow>
     void pull(const Field<Real>* fields, double dt, bool solves, PullReport& report, const Follow& follow) const {
-        glm::dvec3 place(0.0), velocity(0.0);
-        for (const Share& share : shares_) {
-            place += share.of_place * at(fields[0], share);
-            velocity += share.of_place * at(fields[1], share);
-        }
+        const glm::dvec3 here = place(fields[0]), velocity = place(fields[1]);
         const double met = mass_ + (solves ? dt * own_damping_ + dt * dt * own_stiffness_ : 0.0);  // kg
-        const glm::dvec3 force = force_on(place, velocity, dt, met);
-        const glm::dvec3 faster = dt / met * force;  // m/s, of the patch
+        glm::dvec3 force = force_on(here, velocity, dt, met);
+        const double most = 0.05 * radius_ * mass_ / (dt * dt), size = std::sqrt(dot(force, force));
+        if (solves && size > most) force *= most / size;
+        const glm::dvec3 faster = dt / met * force, push = dt / mass_ * force;  // m/s, of the patch
         report.seconds += dt;
         report.impulse += dt * force;
         report.gross +=
             met * dot(faster, faster) + mass_ * std::abs(dot(velocity, faster)) + dt * std::abs(dot(force, faster));
         for (const Share& share : shares_) {
-            const glm::dvec3 dv = share.of_motion * faster;
-            follow(fields, share.row * fields[0].stride + share.column, rounded<Real>(dt * dv), rounded<Real>(dv));
+            const glm::dvec3 dv = share.of_motion * push;
+            follow(fields, share.row * fields[0].stride + share.column,
+                   rounded<Real>(solves ? glm::dvec3(0.0) : dt * dv), rounded<Real>(dv));
         }
     }
 
 private:
+    static constexpr double wide = 1.0 / 3.0;           // of the flag's shorter side
     static constexpr double radius = 0.05;              // m
     static constexpr double rate = 20.0;                // 1/s, at which the spring would swing the whole flag
     static constexpr double fastest = 10.0;             // m/s
@@ -128,14 +138,19 @@ private:
     }
 
     /// N, from where and how fast the patch would be at the step's end without it.
-    glm::dvec3 force_on(const glm::dvec3& place, const glm::dvec3& velocity, double dt, double met) const {
-        const glm::dvec3 far = target_ - place;
+    glm::dvec3 force_on(const glm::dvec3& here, const glm::dvec3& velocity, double dt, double met) const {
+        const glm::dvec3 far = target_ - here;
         const glm::dvec3 force =
             met / (met + dt * damping_ + dt * dt * stiffness_) * (stiffness_ * far - damping_ * velocity);
         const glm::dvec3 left = stiffness_ * (far - dt * dt / met * force);
         if (dot(left, left) <= strongest_ * strongest_) return force;
         const glm::dvec3 most = strongest_ / std::sqrt(dot(left, left)) * left;
         return met / (met + dt * damping_) * (most - damping_ * velocity);
+    }
+
+    static double shorter_side(const Grid& grid) {  // m
+        const double fly = (grid.columns - 1) * grid.pitch_x, hoist = (grid.rows - 1) * grid.pitch_y;
+        return grid.columns == 1 ? hoist : grid.rows == 1 ? fly : std::fmin(fly, hoist);
     }
 
     /// N, what would double the length of one thread, along the fly or down the hoist.
@@ -149,10 +164,11 @@ private:
 
     void gather(const Model& model, int column, int row) {
         const Grid& grid = model.grid;
-        const int reach_x = static_cast<int>(radius / grid.pitch_x), reach_y = static_cast<int>(radius / grid.pitch_y);
+        const int reach_x = static_cast<int>(radius_ / grid.pitch_x),
+                  reach_y = static_cast<int>(radius_ / grid.pitch_y);
         const auto weight = [&](int i, int j) {
             if (i < 0 || j < 0 || i >= grid.columns || j >= grid.rows || model.held(i, j)) return 0.0;
-            const double x = (i - column) * grid.pitch_x / radius, y = (j - row) * grid.pitch_y / radius;
+            const double x = (i - column) * grid.pitch_x / radius_, y = (j - row) * grid.pitch_y / radius_;
             const double left = std::fmax(0.0, 1.0 - x * x - y * y);
             return i == column && j == row ? 1.0 : left * left;
         };
@@ -182,6 +198,7 @@ private:
     }
 
     std::vector<Share> shares_;
+    double radius_ = radius;                          // m, of the patch
     glm::dvec3 target_{0.0};                          // m
     double mass_ = 0.0;                               // kg, of the patch as one
     double own_stiffness_ = 0.0, own_damping_ = 0.0;  // N/m and N s/m, of the cloth against its motion, at most
