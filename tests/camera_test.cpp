@@ -4,6 +4,7 @@
 #include "viewer/camera.hpp"
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 
 #include <algorithm>
@@ -38,12 +39,18 @@ TEST_CASE("whatever is done to it, the camera stays above the ground, upright, a
     std::uniform_real_distribution<float> pixels(-500.0f, 500.0f), notches(-10.0f, 10.0f);
     Camera camera;
     for (int act = 0; act < 3000; ++act) {
-        switch (random() % 3) {
+        switch (random() % 5) {
             case 0:
                 camera.turn({pixels(random), pixels(random)});
                 break;
             case 1:
                 camera.closer(notches(random));
+                break;
+            case 2:
+                camera.orbit(std::abs(notches(random)));
+                break;
+            case 3:
+                camera.closer(notches(random), {pixels(random), pixels(random)}, framing, view);
                 break;
             default:
                 camera.slide({pixels(random), pixels(random)}, framing, view);
@@ -138,4 +145,40 @@ TEST_CASE("a reset camera is as new") {
     REQUIRE(!same(camera, Camera()));
     camera.reset();
     CHECK(same(camera, Camera()));
+}
+
+TEST_CASE("the wheel comes closer to what is under the mouse, which stays where it is") {
+    Camera camera;
+    camera.turn({60.0f, 30.0f});
+    const glm::vec2 mouse(900.0f, 200.0f);
+    // Of the plane through what the camera looks at, parallel to the picture.
+    const glm::mat4 to_world =
+        glm::inverse(camera.projection(framing, view, picture) * camera.view_matrix(framing, view));
+    const glm::vec4 aim = camera.projection(framing, view, picture) * camera.view_matrix(framing, view) *
+                          glm::vec4(camera.target(framing), 1.0f);
+    const glm::vec4 point =
+        to_world * glm::vec4(2.0f * mouse.x / picture.x - 1.0f, 1.0f - 2.0f * mouse.y / picture.y, aim.z / aim.w, 1.0f);
+    const glm::vec3 under = glm::vec3(point) / point.w;
+    REQUIRE(glm::length(pixel_of(camera, under) - mouse) < half_pixel);
+    for (const float notches : {1.0f, 1.0f, -1.0f, 2.0f}) {
+        camera.closer(notches, mouse, framing, view);
+        CHECK(glm::length(pixel_of(camera, under) - mouse) < 2.0f * half_pixel);
+    }
+    CHECK(camera.zoom > 1.2f);
+
+    // Where it can come no closer nothing moves.
+    camera.closer(1e6f, mouse, framing, view);
+    const Camera closest = camera;
+    camera.closer(1.0f, mouse, framing, view);
+    CHECK(same(camera, closest));
+}
+
+TEST_CASE("the slow turn takes a minute, whatever the frames, and neither climbs nor comes closer") {
+    Camera camera, other;
+    for (int frame = 0; frame < 600; ++frame) camera.orbit(0.05);
+    CHECK(std::abs(std::remainder(camera.azimuth - other.azimuth - 180.0f, 360.0f)) < 0.1f);
+    for (int frame = 0; frame < 300; ++frame) camera.orbit(0.1);
+    CHECK(camera.azimuth == Approx(other.azimuth).margin(0.1));
+    CHECK(camera.elevation == other.elevation);
+    CHECK(camera.zoom == other.zoom);
 }

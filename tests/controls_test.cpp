@@ -103,6 +103,9 @@ TEST_CASE("every key does one thing, and pressed again undoes it where it is a s
     switches('f', view.forces);
     switches('m', view.masses);
     switches('c', view.cloth);
+    switches('w', view.wind);
+    switches('a', desk.app.orbits);
+    switches('o', desk.app.scenes_shown);
     switches('h', desk.app.panel_shown);
     CHECK(desk.app.scene == before.scene);
 
@@ -216,4 +219,71 @@ TEST_CASE("a dropped scene file is a scene, any other an image") {
         CHECK(other.app.commands.load_scene == scene);
         CHECK(!other.app.commands.load_texture);
     }
+}
+
+TEST_CASE("a shift drag is a hand on the cloth until the button is up, another is pressed, or Escape") {
+    const auto press = [](MouseButton button, bool shift, glm::vec2 at) {
+        return InputEvent{.kind = InputEvent::Kind::press, .button = button, .shift = shift, .at = at};
+    };
+    const auto begun = [&] {
+        Desk desk;
+        desk.happen({press(MouseButton::left, true, {400.0f, 300.0f}), {.kind = Kind::move, .at = {450.0f, 250.0f}}});
+        CHECK(desk.app.hand.is_busy());
+        CHECK(desk.camera.azimuth == Camera::default_azimuth);
+        return desk;
+    };
+    Desk up = begun();
+    up.happen({{.kind = Kind::release, .button = MouseButton::left, .at = {-50.0f, 900.0f}}});  // beside the window
+    CHECK_FALSE(up.app.hand.is_busy());
+    CHECK_FALSE(up.app.hand.take_click());
+    Desk other = begun();
+    other.happen({press(MouseButton::right, false, {50.0f, 300.0f})});  // on the panel
+    CHECK_FALSE(other.app.hand.is_busy());
+    Desk escaped = begun();
+    escaped.app.help_shown = true;
+    escaped.key(Key::escape);
+    CHECK_FALSE(escaped.app.hand.is_busy());
+    CHECK(escaped.app.help_shown);
+    Desk panel;
+    panel.happen({press(MouseButton::left, true, {50.0f, 300.0f})});
+    CHECK_FALSE(panel.app.hand.is_busy());
+}
+
+TEST_CASE("a click is a press and a release in one place, once, and no part of a drag or a double click") {
+    Desk desk;
+    desk.happen({{.kind = Kind::press, .button = MouseButton::left, .time = 1.0, .at = {400.0f, 300.0f}},
+                 {.kind = Kind::move, .at = {401.0f, 302.0f}},
+                 {.kind = Kind::release, .button = MouseButton::left, .at = {401.0f, 302.0f}}});
+    CHECK(desk.app.hand.take_click());
+    CHECK_FALSE(desk.app.hand.take_click());
+    desk.drag({401.0f, 302.0f}, {401.0f, 302.0f}, MouseButton::left, 1.2);
+    CHECK_FALSE(desk.app.hand.take_click());
+    // Away and back is a drag all the same.
+    desk.happen({{.kind = Kind::press, .button = MouseButton::left, .time = 5.0, .at = {400.0f, 300.0f}},
+                 {.kind = Kind::move, .at = {440.0f, 300.0f}},
+                 {.kind = Kind::move, .at = {400.0f, 300.0f}},
+                 {.kind = Kind::release, .button = MouseButton::left, .at = {400.0f, 300.0f}}});
+    CHECK_FALSE(desk.app.hand.take_click());
+    desk.drag({400.0f, 300.0f}, {400.0f, 300.0f}, MouseButton::right, 9.0);
+    CHECK_FALSE(desk.app.hand.take_click());
+}
+
+TEST_CASE("U and L haul the flag from mark to mark between the pole's foot and its top") {
+    Desk desk;
+    auto& halyard = desk.app.scene.flag.halyard;
+    desk.type('u');
+    CHECK_FALSE(halyard);  // it is at the top, and nothing is to haul it
+    desk.type('l');
+    CHECK(*halyard == Approx(0.95));
+    halyard = 0.52;
+    desk.type('l');
+    CHECK(*halyard == Approx(0.45));
+    for (int n = 0; n < 40; ++n) desk.type('u');
+    CHECK(*halyard == 1.0);
+    for (int n = 0; n < 40; ++n) desk.type('l');
+    CHECK(*halyard == 0.0);
+    Desk free;
+    free.app.scene.flag.attach = Attach::none;
+    free.type('l');
+    CHECK_FALSE(free.app.scene.flag.halyard);
 }

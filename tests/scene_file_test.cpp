@@ -250,6 +250,7 @@ TEST_CASE("every key of the format is read") {
         springs = true
         forces = true
         masses = true
+        wind = true
         reference = true
         texture_proportions = true
         background = "studio")",
@@ -263,7 +264,7 @@ TEST_CASE("every key of the format is read") {
     expected.wind() = Wind{{4.0, 5.0, 6.0}, {0.1, 0.2, 0.3}, 7.0, true, 8};
     expected.limits.add(StretchLimit{0.05});
     expected.time = {method_id<ForwardEuler>, 0.001, Precision::double_precision};
-    expected.view = {false, false, false, true, true, true, true, true, Background::studio};
+    expected.view = {false, false, false, true, true, true, true, true, true, Background::studio};
     CHECK(scene == expected);
 }
 

@@ -5,6 +5,7 @@
 
 #include "drapeau/block.hpp"
 #include "drapeau/energy.hpp"
+#include "drapeau/pull.hpp"
 #include "drapeau/team.hpp"
 
 #include <algorithm>
@@ -20,9 +21,11 @@ struct Report {
     Work work;         // in the step that was accounted
     PassReport limit;  // of passes after the move
     Solves solves{};   // of methods that solve
+    PullReport pull;   // of a hand that holds the cloth
 
     void add(const Report& other) {
         work.add(other.work);
+        pull.add(other.pull);
         limit.add(other.limit);
         solves.add(other.solves);
     }
@@ -65,6 +68,13 @@ public:
         body_.rows.refill(model);
         body_.added.refill(model);
         is_air_held_ = false;
+        pull(pull_);
+    }
+
+    /// From the next step on a hand pulls like this, or none does.
+    void pull(const std::optional<Pull>& by) {
+        pull_ = by;
+        grip_ = by ? Grip(model(), *by, body_.kernels.step != nullptr) : Grip();
     }
 
     /// Position and velocity at the same time (s); held masses get no velocity.
@@ -84,22 +94,28 @@ public:
         return state;
     }
 
-    /// Takes the steps first <= n < last of the clock. In step `accounted` the work of every force is summed.
+    /// Takes the steps first <= n < last of the clock; one at a time where a method that solves is pulled. In step
+    /// `accounted` the work of every force is summed.
     Report advance(const Clock& clock, long long first, long long last, long long accounted = no_step) {
         if (started_dt_ != clock.dt) restart(clock.at(first), clock.dt);
         Report report;
         const int held = steps_held(model(), clock.dt);
         const bool accounts = accounted >= first && accounted < last;
+        const bool pulled_before = grip_.holds() && body_.kernels.step, pulled_after = grip_.holds() && !pulled_before;
+        const glm::dvec3 from = grip_.place(position_.view());
+        if (pulled_before) pull_on(clock.dt, report.pull);
         if (accounts) std::fill(body_.sums.begin(), body_.sums.end(), RowSums{});
         run([&](int n) {
             blocks_[n]->advance(
                 clock, first, last, accounted, held, meet_,
                 [&](long long step) {
-                    const bool counts = step == accounted && (model().is_limited() || model().touches());
+                    const bool alone = model().is_limited() || pulled_after;
+                    const bool counts = step == accounted && (alone || model().touches());
                     const double now = clock.at(step + 1);
-                    if (model().is_limited() || counts) {
+                    if (alone || counts) {
                         meet_();
                         if (n == 0 && counts) report.work.passes -= measure_alone(now).balance();
+                        if (n == 0 && pulled_after) pull_on(clock.dt, report.pull);
                         if (n == 0) limit(clock.dt, report.limit);
                         meet_();
                     }
@@ -111,6 +127,10 @@ public:
                 },
                 n == 0 ? &report.solves : nullptr);
         });
+        if (pulled_before && accounts) {
+            const glm::dvec3 way = (grip_.place(position_.view()) - from) / clock.dt, &p = report.pull.impulse;
+            report.work.passes += p.x * way.x + p.y * way.y + p.z * way.z;
+        }
         if (accounts) {
             glm::dvec3 drift(0.0);
             for (const auto& row : body_.sums) {
@@ -244,6 +264,13 @@ private:
         });
     }
 
+    /// The hand, by one member, over all rows.
+    void pull_on(double dt, PullReport& report) {
+        Field<Real> fields[max_fields]{};
+        for (int f = 0; f < body_.kernels.fields; ++f) fields[f] = body_.fields[f].view();
+        grip_.pull(fields, dt, body_.kernels.step != nullptr, report, body_.kernels.follow);
+    }
+
     void restart(double now, double dt) {
         synchronise(now);
         started_dt_ = dt;
@@ -318,6 +345,8 @@ private:
     FieldBuffer<Real>&position_ = body_.fields[0], &velocity_ = body_.fields[1];
     FieldBuffer<Real> moved_;
     StretchLimit::Room<Real> room_;
+    std::optional<Pull> pull_;
+    Grip grip_;  // of it
     std::vector<std::unique_ptr<Block<Real>>> blocks_;
     Block<Real> whole_;  // all rows, for what one member does alone
     std::unique_ptr<Team> team_;

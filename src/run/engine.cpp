@@ -2,6 +2,7 @@
 
 #include "io/error.hpp"
 #include "kernels/kernels.hpp"
+#include "run/pull_history.hpp"
 
 #include <cstring>
 #include <limits>
@@ -41,9 +42,11 @@ public:
         constexpr double work_a_turn = 1e7;  // some hundredths of a second
         const auto steps_a_turn =            // a limit may take as long for one step, or a solve
             model().is_limited() || solves_ ? 1 : std::max(1LL, std::llround(work_a_turn / step_cost_));
-        for (long long step = first; step < last; step += steps_a_turn) {
+        for (long long step = first, next = first; step < last; step = next) {
             if (abandon && abandon->load(std::memory_order_relaxed)) return step;
-            report.add(stepper_.advance(clock, step, std::min(last, step + steps_a_turn), accounted));
+            next = pulls_.until(step, std::min(last, step + steps_a_turn));
+            if (const auto pull = pulls_.at(step); pull != pulled_) stepper_.pull(pulled_ = pull);
+            report.add(stepper_.advance(clock, step, next, accounted));
         }
         return last;
     }
@@ -59,6 +62,7 @@ public:
     void refill(const Model& model) override { stepper_.refill(model); }
     void synchronise(double now) override { stepper_.synchronise(now); }
     void haul(double now, double speed) override { stepper_.haul(now, {0.0, speed, 0.0}); }
+    void pull(long long step, const std::optional<Pull>& by) override { pulls_.set(step, by); }
     double hauled() const override { return model().held(0, 0) ? stepper_.velocity().at(0, 0).y : 0.0; }
 
     const Model& model() const override { return stepper_.model(); }
@@ -69,7 +73,10 @@ public:
     glm::dvec3 corner() const override { return stepper_.position().at(0, 0); }
 
     State<double> state(double now) override { return stepper_.state(now); }
-    void set(const State<double>& state) override { stepper_.set(state); }
+    void set(const State<double>& state) override {
+        stepper_.set(state);
+        pulls_.clear();  // they were of another past
+    }
     void snapshot(FieldBuffer<float>& into) const override {
         const auto& x = stepper_.position();
         if (into.columns() != x.columns() || into.rows() != x.rows()) into = FieldBuffer<float>(x.columns(), x.rows());
@@ -113,6 +120,7 @@ public:
     }
     void restore(const EngineState& kept) override {
         stepper_.restore(static_cast<const KeptState<Real>&>(kept).checkpoint);
+        pulls_.clear();  // they were of another past
     }
     void put_in(int place, std::shared_ptr<const EngineState> kept) override {
         at(place) = {std::static_pointer_cast<const KeptState<Real>>(std::move(kept)), true};
@@ -145,6 +153,8 @@ private:
     Stepper<Real> stepper_;
     bool solves_;
     FastestMode<Real> fastest_;
+    PullHistory pulls_;
+    std::optional<Pull> pulled_;  // as the stepper has it
     std::vector<Place> saved_;
 };
 

@@ -38,6 +38,8 @@ public:
     /// From time `now` (s) on moves what is held upwards, at `speed` (m/s).
     virtual void haul(double now, double speed) = 0;
     virtual double hauled() const = 0;  // m/s, that speed
+    /// From this step of the clock on a hand pulls like this, or none does (pull.hpp).
+    virtual void pull(long long step, const std::optional<Pull>& by) = 0;
 
     virtual const Model& model() const = 0;
     virtual double step_cost() const = 0;

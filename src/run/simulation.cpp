@@ -84,6 +84,7 @@ void Simulation::rebuild(const Scene& scene, const std::atomic<bool>* abandon) {
     next->start_remark = start.remark;
     next->use_threads(run_->threads);
     next->error_mode = run_->error_mode;
+    next->pull = run_->pull;
     next->meet_tolerance_at_once(abandon);
     run_ = std::move(next);
 }
@@ -98,6 +99,13 @@ std::optional<Divergence> Simulation::advance_steps(long long count, const std::
 
 std::optional<Divergence> Simulation::check() {
     return run_->check();
+}
+
+void Simulation::pull(const std::optional<Pull>& by) {
+    run_->pull = by;
+}
+double Simulation::pull_force() const {
+    return run_->pulled.force();
 }
 
 void Simulation::use_exact_dt() {

@@ -107,6 +107,12 @@ public:
     /// is answered as by advance_batch.
     std::optional<Divergence> check();
 
+    /// A hand that pulls at the cloth from the next batch on (pull.hpp), or none. What it brings in counts as brought
+    /// in. Errors are not measured meanwhile.
+    void pull(const std::optional<Pull>& by);
+    /// N, the mean of its force over the steps last asked for.
+    double pull_force() const;
+
     /// The laboratory uses a numeric dt as given instead of rounding it to a whole number of steps a batch.
     void use_exact_dt();
 

@@ -55,6 +55,8 @@ struct Simulation::Run : RunState {
     int threads = 1;
     ErrorWatch errors;
     ErrorWatch::Mode error_mode = ErrorWatch::Mode::off;
+    std::optional<Pull> pull;  // of a hand, from the next batch on: no part of what is kept
+    PullReport pulled;         // of the steps last asked for
 
     Run(const Scene& wanted, const State<double>& state, double time, long long steps, bool exact_dt) {
         scene = wanted;
@@ -134,10 +136,13 @@ struct Simulation::Run : RunState {
         const double end = now.clock.at(now.steps + count);
         const auto steps_left = [&] { return std::llround((end - now.time()) / now.clock.dt); };
         limit = {};
+        pulled = {};
         for (long long left = count; left > 0;) {
             if (in_batch == 0) {
                 const double dt = now.clock.dt;
                 haul();
+                engine->pull(now.steps, pull);
+                if (pull) forget_errors();  // what is run again is not pulled
                 if (!heed_errors(abandon)) return {};
                 if (now.clock.dt != dt) left = std::max(1LL, steps_left());
                 watch.begin_batch(*engine, now);
@@ -152,6 +157,7 @@ struct Simulation::Run : RunState {
             now.steps = reached;
             watch.count(report);
             limit.add(report.limit);
+            pulled.add(report.pull);
             solves.add(report.solves);
             if (reached < to) return {};  // abandoned
             const bool within = reached < batch_end;

@@ -57,7 +57,7 @@ void Watch::look(Engine& engine, const Progress& now) {
     potential_ = engine.model().potential(here.moment);
     counted_ = {};
     work_.clear(), external_.clear(), passes_.clear();
-    gross_ = 0.0;
+    gross_ = pulled_ = 0.0;
     taken_in_ = looked_at_ = now.time();
     written_step_ = now.steps;
 }
@@ -135,7 +135,7 @@ void Watch::end_batch(Engine& engine, const Progress& now) {
     // No need to wait for the window's end.
     const double kinetic = engine.kinetic();
     const double all =
-        ledger_.scale() + gross_ + counted_so_far(now) + rounding_energy(engine, now.steps - written_step_);
+        ledger_.scale() + gross_ + pulled_ + counted_so_far(now) + rounding_energy(engine, now.steps - written_step_);
     broken_ = !std::isfinite(kinetic) || kinetic > far_beyond * all;
     if (!broken_ && in_window() == 0) write(engine, now);
 }

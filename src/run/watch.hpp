@@ -56,7 +56,10 @@ public:
     /// Before the first step of a batch: chooses the step to account; every eighth time keeps the state.
     void begin_batch(Engine& engine, const Progress& now);
     long long accounted_step() const { return accounted_; }
-    void count(const Report& report) { counted_.add(report.work); }
+    void count(const Report& report) {
+        counted_.add(report.work);
+        pulled_ += report.pull.gross;
+    }
     /// After the last step of a batch.
     void end_batch(Engine& engine, const Progress& now);
     /// Counts again, every step of it, what happened since the newest state kept: what was known from samples until now
@@ -109,6 +112,7 @@ private:
     double taken_in_ = 0.0;                         // s, up to when its work was taken in
     std::vector<double> external_, passes_, work_;  // J, estimates for each group since the ledger was last written
     double gross_ = 0.0;                            // J, of all work whatever its sign, since then
+    double pulled_ = 0.0;                           // J, by a hand, likewise, every step of it
     long long written_step_ = 0;                    // when that was
     double looked_at_ = 0.0;                        // s, likewise
     double energy_ = 0.0, potential_ = 0.0;         // J, then

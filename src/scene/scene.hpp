@@ -66,6 +66,7 @@ struct ViewSettings {
     bool springs = false;
     bool forces = false;
     bool masses = false;
+    bool wind = false;                 // an arrow, and streaks that drift with the air
     bool reference = false;            // the same flag, computed far more accurately, as a wireframe
     bool texture_proportions = false;  // the flag takes the proportions of its texture
     Background background = Background::sky;

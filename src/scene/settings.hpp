@@ -280,6 +280,9 @@ inline constexpr std::tuple view_keys{
         About{"Force colours", "", "springs coloured by their force, white to red",
               "A scale in newtons stands below the flag. Key F"}},
     Key{"masses", &ViewSettings::masses, About{"Masses", "", "every mass as a point", "Key M"}},
+    Key{"wind", &ViewSettings::wind,
+        About{"Wind shown", "", "an arrow as long as the wind is fast, and streaks that drift with it",
+              "The arrow points where the wind of this moment blows to, gusts included. Key W"}},
     Key{"reference", &ViewSettings::reference,
         About{
             "Reference", "", "a wireframe of the same flag, computed far more accurately from then on",

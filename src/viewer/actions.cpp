@@ -1,12 +1,23 @@
 #include "actions.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace drapeau {
 
 namespace {
 
 constexpr float arrow_pixels = 20.0f;  // an arrow key turns as far as this drag
+
+constexpr double marks_of_pole = 20.0;  // a key hauls the flag from one to the next
+
+/// Hauls the flag along its pole, from where its halyard is to the next mark.
+void hoist(AppState& app, double marks) {
+    auto& halyard = app.scene.flag.halyard;
+    const bool at_the_top = !halyard && marks > 0.0;
+    if (at_the_top || app.scene.flag.attach == Attach::none) return;
+    halyard = std::clamp(std::round(halyard.value_or(1.0) * marks_of_pole + marks) / marks_of_pole, 0.0, 1.0);
+}
 
 void toggle(bool& value) {
     value = !value;
@@ -52,6 +63,7 @@ std::vector<Action> all_actions() {
          "+ and -",
          {{.key = Key::keypad_subtract}, {.typed = U'-'}},
          [](AppState&, Camera& camera) { camera.closer(-1.0f); }},
+        {"slow turn around the flag", "A", {{.letter = 'a'}}, [](AppState& app, Camera&) { toggle(app.orbits); }},
         {"pause, go on", "Space", {{.key = Key::space}}, [](AppState& app, Camera&) { toggle(app.paused); }},
         {"one step of the method",
          ".",
@@ -101,6 +113,13 @@ std::vector<Action> all_actions() {
         {"force colours", "F", {{.letter = 'f'}}, [](AppState& app, Camera&) { toggle(app.scene.view.forces); }},
         {"masses", "M", {{.letter = 'm'}}, [](AppState& app, Camera&) { toggle(app.scene.view.masses); }},
         {"cloth", "C", {{.letter = 'c'}}, [](AppState& app, Camera&) { toggle(app.scene.view.cloth); }},
+        {"wind", "W", {{.letter = 'w'}}, [](AppState& app, Camera&) { toggle(app.scene.view.wind); }},
+        {"raise the flag",
+         "U and L",
+         {{.letter = 'u'}},
+         [](AppState& app, Camera&) { hoist(app, 1.0); },
+         "raise, lower the flag"},
+        {"lower the flag", "U and L", {{.letter = 'l'}}, [](AppState& app, Camera&) { hoist(app, -1.0); }},
         {"reference ghost", "G", {{.letter = 'g'}}, [](AppState& app, Camera&) { toggle(app.scene.view.reference); }},
         {"hide, show the panel", "H", {{.letter = 'h'}}, [](AppState& app, Camera&) { app.toggle_panel(); }},
         {"scenes to open", "O", {{.letter = 'o'}}, [](AppState& app, Camera&) { toggle(app.scenes_shown); }},

@@ -4,14 +4,17 @@
 #include "camera.hpp"
 #include "film_desk.hpp"
 #include "findings.hpp"
+#include "hand.hpp"
 #include "history.hpp"
 #include "message.hpp"
 #include "palette.hpp"
 #include "playback.hpp"
+#include "readout.hpp"
 #include "run/simulation.hpp"
 #include "scene/material.hpp"
 #include "thumbnail.hpp"
 #include "user_settings.hpp"
+#include "wind_streaks.hpp"
 
 #include <filesystem>
 #include <map>
@@ -88,6 +91,7 @@ struct Status {
     std::optional<StretchLimit> limit;      // of the scene that runs
     std::optional<ReferenceGap> reference;  // while one is shown and there is something to say of it
     double force_scale = 1.0;               // N
+    double pull_force = 0.0;                // N, of the hand that holds the cloth
     bool clock = true;                      // false: wall-clock readings are not shown, so that pictures repeat
     double real_time_factor = 0.0;
     double step_seconds = 0.0;      // wall-clock
@@ -130,6 +134,11 @@ struct AppState {
     Status status;
     Findings findings;
     FilmDesk film;
+    Hand hand;            // on the cloth
+    Readout readout;      // of what was clicked
+    bool orbits = false;  // the camera goes slowly around
+    Lens lens;            // of this frame
+    WindStreaks streaks;  // while the wind is shown
     Commands commands;
     History history;
     UserSettings remembered;  // between runs
@@ -160,10 +169,13 @@ inline void say_why_it_stands(AppState& app) {
     say(app, Message::Cause::standstill, app.status.standstill(), true);
 }
 
-/// Closes what was opened last: the palette, a question, unanswered, before the list of keys, the scenes and the message.
+/// Closes what was opened last: the palette, a question, unanswered, before the list of keys, the scenes, the readout and
+/// the message. A hand that holds the cloth lets go first.
 inline void close_one(AppState& app) {
     if (app.palette.open)
         app.palette.open = false;
+    else if (app.hand.is_busy())
+        app.hand.let_go();
     else if (app.question)
         app.question.reset();
     else if (app.film.open)
@@ -172,6 +184,8 @@ inline void close_one(AppState& app) {
         app.help_shown = false;
     else if (app.scenes_shown)
         app.scenes_shown = false;
+    else if (app.readout.chosen())
+        app.readout.close();
     else
         app.message.text.clear();
 }

@@ -12,8 +12,9 @@ namespace drapeau {
 
 namespace {
 
-constexpr float field_of_view = 34.0f;     // degrees over the view's height
-constexpr float degrees_per_pixel = 0.3f;  // of turning
+constexpr float field_of_view = 34.0f;      // degrees over the view's height
+constexpr float degrees_per_pixel = 0.3f;   // of turning
+constexpr float degrees_per_second = 6.0f;  // of the slow turn
 constexpr float zoom_per_notch = 1.12f;
 constexpr float min_zoom = 0.15f, max_zoom = 20.0f;
 constexpr float lowest = -35.0f, highest = 85.0f;  // degrees
@@ -32,6 +33,18 @@ void Camera::turn(glm::vec2 pixels) {
 
 void Camera::closer(float notches) {
     zoom = std::clamp(zoom * std::pow(zoom_per_notch, notches), min_zoom, max_zoom);
+}
+
+void Camera::closer(float notches, glm::vec2 pointer, const Framing& framing, const Area& view) {
+    const glm::vec2 middle((view.x0 + view.x1) / 2.0f, (view.y0 + view.y1) / 2.0f);
+    const float before = zoom;
+    closer(notches);
+    // What is there has moved away from the middle by as much as it has become larger.
+    slide((1.0f - zoom / before) * (pointer - middle), framing, view);
+}
+
+void Camera::orbit(double seconds) {
+    azimuth = std::remainder(azimuth + float(seconds) * degrees_per_second, 360.0f);
 }
 
 // What is under the mouse stays under it.

@@ -33,6 +33,10 @@ public:
 
     void turn(glm::vec2 pixels);
     void closer(float notches);
+    /// The same towards what is seen at `pointer`: it stays where it is in the picture.
+    void closer(float notches, glm::vec2 pointer, const Framing& framing, const Area& view);
+    /// So many seconds of a slow turn around the flag, a minute a turn.
+    void orbit(double seconds);
     void slide(glm::vec2 pixels, const Framing& framing, const Area& view);
     void reset();
 

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double double_click_seconds = 0.4;
 constexpr float double_click_pixels = 6.0f;
+constexpr float click_pixels = 4.0f;  // a hand that clicks moves by less
 
 void load_dropped(const std::string& file, AppState& app) {
     if (ending_of(meant_path(file)) == ".toml")
@@ -39,15 +40,17 @@ void Controls::apply(const std::vector<InputEvent>& events, const Claims& claims
                 press(event, claimed, app);
                 break;
             case Kind::release:
-                drag_ = Drag::none;
+                release(event, app);
                 break;
             case Kind::move:
+                if (glm::length(event.at - pressed_at_) > click_pixels) still_ = false;
+                app.hand.move_to(event.at);
                 if (drag_ == Drag::turn) camera.turn(event.at - last_);
                 if (drag_ == Drag::slide) camera.slide(event.at - last_, framing, app.view_area);
                 last_ = event.at;
                 break;
             case Kind::scroll:
-                if (!claimed) camera.closer(event.amount);
+                if (!claimed) camera.closer(event.amount, event.at, framing, app.view_area);
                 break;
             case Kind::drop:
                 load_dropped(event.file, app);
@@ -69,9 +72,15 @@ void Controls::apply(const std::vector<InputEvent>& events, const Claims& claims
 }
 
 void Controls::press(const InputEvent& event, bool claimed, AppState& app) {
+    if (drag_ == Drag::pull) app.hand.let_go();
     drag_ = Drag::none;
     if (claimed) return;
     last_ = event.at;
+    still_ = false;
+    if (event.button == MouseButton::left && event.shift) {
+        drag_ = Drag::pull;
+        return app.hand.take_hold(event.at);
+    }
     if (event.button == MouseButton::right || event.button == MouseButton::middle) drag_ = Drag::slide;
     if (event.button != MouseButton::left) return;
     drag_ = Drag::turn;
@@ -80,6 +89,14 @@ void Controls::press(const InputEvent& event, bool claimed, AppState& app) {
     if (twice) app.commands.reset_camera = true;
     pressed_time_ = twice ? -1e6 : event.time;
     pressed_at_ = event.at;
+    still_ = !twice;
+}
+
+// The window system releases what is down where the window loses the keyboard, and tells of a release beside it.
+void Controls::release(const InputEvent& event, AppState& app) {
+    if (drag_ == Drag::pull) app.hand.let_go();
+    if (drag_ == Drag::turn && still_) app.hand.click(event.at);
+    drag_ = Drag::none;
 }
 
 // While the palette is open all keys are its own, before its text takes them too.

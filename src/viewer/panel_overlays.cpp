@@ -23,6 +23,8 @@ constexpr ImGuiWindowFlags box_flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindow
 
 constexpr const char* mouse[][2] = {{"Left drag", "turn"},
                                     {"Right drag", "move"},
+                                    {"Shift drag", "take hold of the cloth, and pull"},
+                                    {"Click", "read a mass or a spring"},
                                     {"Wheel", "closer, further"},
                                     {"Double click", "the first view"},
                                     {"Drop a file", "an image or a scene"}};

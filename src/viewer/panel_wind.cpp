@@ -2,6 +2,7 @@
 #include "panels.hpp"
 
 #include "setting_controls.hpp"
+#include "wind_overlay.hpp"
 
 #include <imgui.h>
 
@@ -28,9 +29,10 @@ void edit_mean(Wind& wind, const Wind& origin, PanelMemory& memory, Widgets& wid
     glm::dvec3& v = wind.velocity;
     double speed = std::hypot(v.x, v.z);
     double direction = memory.wind_direction = direction_of(v, memory.wind_direction);
-    bool changed = widgets.slider("Wind speed", speed, {.high = 40.0, .format = "%.1f m/s"},
-                                  std::hypot(origin.velocity.x, origin.velocity.z),
-                                  "Horizontal mean. Faster wind lifts the flag and stretches its springs more.");
+    bool changed = wind_compass(speed, direction, 40.0, widgets);
+    changed |= widgets.slider("Wind speed", speed, {.high = 40.0, .format = "%.1f m/s"},
+                              std::hypot(origin.velocity.x, origin.velocity.z),
+                              "Horizontal mean. Faster wind lifts the flag and stretches its springs more.");
     changed |= widgets.slider("Direction", direction, {.low = -180.0, .high = 180.0, .format = "%.0f\xc2\xb0"},
                               direction_of(origin.velocity, 0.0),
                               "0: along the flag, away from the pole; 90: towards its front; -90: towards its back.");

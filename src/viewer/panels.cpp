@@ -1,5 +1,8 @@
 #include "panels.hpp"
 
+#include "hand_overlay.hpp"
+#include "wind_overlay.hpp"
+
 #include <imgui.h>
 
 #include <iterator>
@@ -97,6 +100,9 @@ void draw_panels(AppState& app, PanelMemory& memory, UiMap& map) {
     } else if (app.opener_shown()) {
         draw_opener(app, widgets);
     }
+    draw_wind(app, map);
+    draw_hand(app);
+    draw_readout(app, memory, widgets);
     if (app.scene.view.forces) draw_legend(app);
     draw_scene_gallery(app, widgets);
     draw_message(app, widgets);

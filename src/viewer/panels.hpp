@@ -5,6 +5,8 @@
 #include "ui_map.hpp"
 #include "widgets.hpp"
 
+#include <imgui.h>
+
 #include <string>
 
 namespace drapeau {
@@ -14,7 +16,9 @@ inline constexpr const char* page_names[] = {"Flag", "Springs", "Wind", "Time", 
 /// What the panels remember between frames.
 struct PanelMemory {
     int page = 0;
-    double wind_direction = 0.0;  // degrees; kept while there is no wind to read it from
+    int read_mass = 0, read_spring = 0;   // which quantity of a readout is drawn over time
+    ImVec2 readout_size{260.0f, 300.0f};  // as it was last drawn
+    double wind_direction = 0.0;          // degrees; kept while there is no wind to read it from
     std::string texture_text, scene_text, save_text;
 };
 

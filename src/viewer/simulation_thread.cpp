@@ -135,6 +135,17 @@ void SimulationThread::ask_part(long long steps) {
     wanted_.notify_one();
 }
 
+void SimulationThread::pull(const std::optional<Pull>& by) {
+    {
+        const std::lock_guard lock(mutex_);
+        const bool let_go = pull_ && !by;
+        pull_ = by;
+        if (!let_go || !reference_wanted_) return;
+        reference_asked_ = true;
+    }
+    wanted_.notify_one();
+}
+
 SimulationThread::History SimulationThread::history() const {
     const std::lock_guard lock(mutex_);
     return {timeline_.first(), timeline_.last(), timeline_.size(), timeline_.bytes()};
@@ -236,6 +247,7 @@ void SimulationThread::work() {
         int* const asked = change ? nullptr : single_steps_ > 0 ? &single_steps_ : batches_ > 0 ? &batches_ : nullptr;
         const long long steps = asked == &single_steps_ ? 1 : asked || change ? 0 : part_;
         abandon_ = false;
+        simulation_.pull(pull_);
         lock.unlock();
         if (begins) begin_reference();  // whatever becomes of a change, which begins one of its own
         if (forks) give_fork();
@@ -424,6 +436,7 @@ void SimulationThread::publish(bool fresh) {
     now_.lowered_because = simulation_.lowered_because();
     now_.precision_remark = simulation_.precision_remark();
     now_.start_remark = simulation_.start_remark();
+    now_.pull_force = simulation_.pull_force();
     now_.kinds = kinds_of(simulation_.model());
     if (reference_) reference_->follow(now_.snapshot);
     Moment moment = now_;

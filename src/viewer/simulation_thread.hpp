@@ -37,6 +37,7 @@ struct Moment {
     std::string lowered_because;           // why an automatic step is smaller than usual; empty where it is not
     std::string precision_remark;          // what float cannot honour; empty where all is well
     std::string start_remark;              // what a start is not that it may seem; empty where all is well
+    double pull_force = 0.0;               // N, of the hand that holds the cloth, mean of the last batch
     double step_seconds = 0.0;             // wall-clock of one step, averaged over the last batch
     SpringKinds kinds;                     // of springs, as they are drawn
     Scene scene;                           // the scene that runs
@@ -85,6 +86,8 @@ public:
         const std::lock_guard lock(mutex_);
         return ask(std::as_const(timeline_));
     }
+    /// A hand that pulls at the cloth in the batches to come, or none; a reference begins anew when it lets go.
+    void pull(const std::optional<Pull>& by);
     /// Whether a reference run follows, from where the run is when it begins. It begins anew with every change.
     void follow_reference(bool wanted);
     void restart_reference();
@@ -133,6 +136,7 @@ private:
     mutable std::mutex mutex_;
     std::condition_variable wanted_, finished_;
     std::optional<Change> change_;
+    std::optional<Pull> pull_;
     std::shared_ptr<ReferenceRun> reference_;  // only the thread replaces it
     bool reference_wanted_ = false, reference_asked_ = false;
     Timeline timeline_;

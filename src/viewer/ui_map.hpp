@@ -38,6 +38,12 @@
 //   azimuth elevation  of the camera, degrees
 //   distance         of the camera from what it looks at, m
 //   target_x target_y target_z  what the camera looks at, m
+//   held             x y of the mass that is held, in window pixels; nothing while none is
+//   pull             N, of the hand that holds it
+//   readout          which mass or spring is read, or nothing
+//   readout_at       x y of it in window pixels, or nothing
+//   wind_shown       the speed at the arrow, "6.1 m/s"; nothing while the wind is not shown
+//   orbits           1 while the camera goes slowly around
 //   framebuffer      its size in pixels, "1280x800"
 //   window           the window's size in its own units, "1280x800"
 //   panel            x0 y0 x1 y1 of the panel, separated by spaces; nothing when hidden or stepped aside

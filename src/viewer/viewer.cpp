@@ -157,7 +157,8 @@ void Viewer::input() {
     lay_out(app_, size().x, size().y, repeatable() ? 1.0f : window_.content_scale());
     const ImGuiIO& io = ImGui::GetIO();
     controls_.apply(events, {.mouse = io.WantCaptureMouse, .keyboard = io.WantTextInput}, framing_, app_, camera_);
-    if (app_.commands.reset_camera) camera_.reset();
+    if (app_.commands.reset_camera) camera_.reset(), app_.orbits = false;
+    follow_hand();
 }
 
 void Viewer::exchange() {
@@ -165,6 +166,7 @@ void Viewer::exchange() {
     const double passed = std::min(now - last_time_, longest_frame_seconds);
     last_time_ = now;
     wall_ += passed;
+    if (app_.orbits) camera_.orbit(passed);
 
     note_changes();
     undo_wanted();
@@ -299,6 +301,7 @@ void Viewer::show_moment() {
     status.precision_remark = moment_.precision_remark;
     status.start_remark = moment_.start_remark;
     status.limit = moment_.scene.limits.get<StretchLimit>();
+    status.pull_force = moment_.pull_force;
     status.step_seconds = moment_.step_seconds;
     status.force_scale = force_scale_.newtons();
 }
@@ -306,6 +309,8 @@ void Viewer::show_moment() {
 void Viewer::receive(double passed) {
     Status& status = app_.status;
     receive_moment();
+    app_.readout.observe(moment_.snapshot, moment_.scene);
+    if (app_.scene.view.wind && app_.scene.wind()) app_.streaks.drift(*app_.scene.wind(), framing_, status.time);
     receive_reference();
     status.settling = simulation_.settling();
     if (runs())

@@ -86,6 +86,7 @@ private:
     bool is_slow() const;
     void receive_reference();
     void measure_wanted();
+    void follow_hand();
     void hear_of_run();
     void keep_proportions();
     void film_wanted();

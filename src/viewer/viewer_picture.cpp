@@ -1,6 +1,7 @@
 // The viewer's other half: from the newest moment to the picture, the panels and the files.
 #include "viewer.hpp"
 
+#include "hand_overlay.hpp"
 #include "stage.hpp"
 
 #include "io/error.hpp"
@@ -129,7 +130,7 @@ void Viewer::present() {
 Activity Viewer::activity() const {
     const Message& message = app_.message;
     return {.events = had_events_ || gui_.has_waiting_keys() || app_.mark,
-            .runs = runs() || app_.playback.backwards,
+            .runs = runs() || app_.playback.backwards || app_.orbits,
             .simulation = !simulation_.idle() || opening_ || !app_.status.loading.empty() || loader_.makes_small() ||
                           measuring_.under_way() || filming_ || film_asked_,
             .hidden = hidden_,
@@ -180,6 +181,7 @@ void Viewer::write_map() {
     map_.state("target_x", double(target.x));
     map_.state("target_y", double(target.y));
     map_.state("target_z", double(target.z));
+    write_hand(app_, map_);
     map_.state("framebuffer", std::to_string(target_.width()) + "x" + std::to_string(target_.height()));
     map_.state("window", std::to_string(int(size().x)) + "x" + std::to_string(int(size().y)));
     map_.state("panel", app_.panel_open() ? written(app_.panel_area) : "");

@@ -125,6 +125,7 @@ void on_character(GLFWwindow* window, unsigned character) {
 void on_button(GLFWwindow* window, int button, int action, int modifiers) {
     InputEvent& event = queue(window, action == GLFW_PRESS ? Kind::press : Kind::release);
     event.button = button_of(button);
+    event.shift = modifiers & GLFW_MOD_SHIFT;
     event.control = modifiers & GLFW_MOD_CONTROL;
 }
 
