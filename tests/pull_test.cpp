@@ -67,7 +67,7 @@ TEST_CASE("whatever a hand does, no method breaks on it, and the cloth is not to
             if (work > 5e7) continue;  // forward Euler's steps, a quarter of a million a batch
             const int batches = std::clamp(int(4e6 / work), 3, 120);
             const double stretch = greatest_stretch_of_extremes(simulation, batches);
-            const double created = simulation.readings().created_share;
+            const double created = simulation.readings().created_share.value_or(0.0);
             simulation.pull({});
             for (int n = 0; n < (batches + 2) / 3; ++n) REQUIRE_FALSE(simulation.advance_batch());
             REQUIRE_FALSE(simulation.check());

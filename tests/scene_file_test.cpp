@@ -460,7 +460,8 @@ TEST_CASE("a named fabric bends as its name says, where nothing else is said") {
     };
     for (const auto name : {FabricName::knitted_polyester, FabricName::woven_polyester, FabricName::nylon,
                             FabricName::silk, FabricName::canvas}) {
-        const std::string named = "[fabric]\nname = \"" + std::string(names_of(name)[std::size_t(name)]) + "\"\n";
+        const std::string named =
+            "[fabric]\nname = \"" + std::string(settings::names_of(name)[std::size_t(name)]) + "\"\n";
         CHECK(stiffness_of("[bending]\n" + named) == bending_of(name));
         CHECK(stiffness_of(named + "[bending]\nstiffness = 0.02\n") == 0.02);
     }

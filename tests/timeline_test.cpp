@@ -50,7 +50,7 @@ struct State {
 
 State state_of(const Simulation& simulation) {
     return {simulation.state_hash(), simulation.steps(), simulation.time(), simulation.dt(),
-            simulation.readings().created_share};
+            simulation.readings().created_share.value_or(0.0)};
 }
 
 std::vector<State> fly(Simulation& simulation, int batches) {

@@ -180,9 +180,8 @@ Readings Simulation::readings() const {
             .mean_stretch = here.mean_stretch,
             .max_spring_force = here.max_force,
             .rms_spring_force = here.rms_force,
-            .created_share = knows_work(run_->scene.time.method)
-                                 ? std::optional(run_->watch.ledger().created_share())
-                                 : std::nullopt,
+            .created_share = knows_work(run_->scene.time.method) ? std::optional(run_->watch.ledger().created_share())
+                                                                 : std::nullopt,
             .limit = run_->limit,
             .time = now};
 }

@@ -33,11 +33,11 @@ struct Readings {
     double mean_stretch = 0.0;      // share, mean of |l - L| / L
     double max_spring_force = 0.0;  // N, max |k (l - L)|
     double rms_spring_force = 0.0;  // N
-    // Of the energy there could be, what the method created (see energy.hpp); absent where the method does not know what
-    // forces did.
+    // Of the energy there could be, what the method created (see energy.hpp); absent where the method does not know
+    // what forces did.
     std::optional<double> created_share{};
-    PassReport limit;               // of the passes after the move, in the last batch
-    double time = 0.0;              // s, when it was measured
+    PassReport limit;   // of the passes after the move, in the last batch
+    double time = 0.0;  // s, when it was measured
 };
 
 /// A run that diverged. The run then stands on the last state that was good.

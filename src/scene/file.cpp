@@ -182,7 +182,9 @@ void refuse_unknown_tables(const toml::table& root, const std::string& origin) {
 void begin(Fabric& fabric, const toml::table& node, const Scene&) {
     if (const toml::node* name = node.get("name"); name && take(*name, fabric.name)) fabric = fabric_of(fabric.name);
 }
-void begin(Bending& bending, const toml::table&, const Scene& scene) { bending = usual_term<Bending>(scene); }
+void begin(Bending& bending, const toml::table&, const Scene& scene) {
+    bending = usual_term<Bending>(scene);
+}
 template <class Settings>
 void begin(Settings&, const toml::table&, const Scene&) {}
 

@@ -70,8 +70,8 @@ struct ViewSettings {
     bool reference = false;            // the same flag, computed far more accurately, as a wireframe
     bool texture_proportions = false;  // the flag takes the proportions of its texture
     Background background = Background::sky;
-    bool bare_grid = false;            // flat facets between the masses, not the smooth surface through them
-    bool person = false;               // a figure of 1.75 m stands beside the flag
+    bool bare_grid = false;  // flat facets between the masses, not the smooth surface through them
+    bool person = false;     // a figure of 1.75 m stands beside the flag
 
     bool operator==(const ViewSettings&) const = default;
 };

@@ -167,7 +167,8 @@ inline constexpr std::tuple keys_of<Air>{
 
 template <>
 inline constexpr std::string_view remark_on<Bending> =
-    "Threads resist being curved. A named fabric brings its own rigidity, 8 to 70 µN·m (docs/model.md); more makes wider "
+    "Threads resist being curved. A named fabric brings its own rigidity, 8 to 70 µN·m (docs/model.md); more makes "
+    "wider "
     "folds, which coarse grids need to be folds of the cloth and not of the grid.";
 template <>
 inline constexpr std::tuple keys_of<Bending>{

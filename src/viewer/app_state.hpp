@@ -169,8 +169,8 @@ inline void say_why_it_stands(AppState& app) {
     say(app, Message::Cause::standstill, app.status.standstill(), true);
 }
 
-/// Closes what was opened last: the palette, a question, unanswered, before the list of keys, the scenes, the readout and
-/// the message. A hand that holds the cloth lets go first.
+/// Closes what was opened last: the palette, a question, unanswered, before the list of keys, the scenes, the readout
+/// and the message. A hand that holds the cloth lets go first.
 inline void close_one(AppState& app) {
     if (app.palette.open)
         app.palette.open = false;

@@ -30,7 +30,8 @@ struct SizeLevel {
 struct DampingLevel {
     double value = 0.0, share = 0.0;
 };
-/// Ground so many flag's heights above its foot, through it where nothing holds it up, and a pole, both of this friction.
+/// Ground so many flag's heights above its foot, through it where nothing holds it up, and a pole, both of this
+/// friction.
 struct ContactLevel {
     double ground = NAN, friction = 0.0;
 

@@ -102,8 +102,8 @@ Means unwatched(const Model& model, const Scene& scene, const State<double>& sta
     return means;
 }
 
-/// What a step costs where it is hard, in steps of one mass: a limit that acts in every one takes some ten sweeps, each as
-/// dear as some steps.
+/// What a step costs where it is hard, in steps of one mass: a limit that acts in every one takes some ten sweeps, each
+/// as dear as some steps.
 double cost_of(const Model& model, Method method) {
     constexpr double sweeps = 40.0;
     return step_cost(model, method) * (model.limits.get<StretchLimit>() ? sweeps : 1.0);
