@@ -149,10 +149,11 @@ Divergence explain_divergence(Engine& engine, Watch& watch, Method method, const
         const double usual =
             with_method(method, [&](const auto& chosen) { return automatic_step(chosen, engine.model()); });
         double work_left = 3e7;  // some tenths of a second
+        const double a_step = engine.step_cost() * (engine.model().is_limited() ? 40.0 : 1.0);  // a limit that acts
         const double span = broken_at + 2.0 * batch_seconds - good.time();
         double dt = whole_steps_per_batch(std::min(usual, 0.7 * d.dt));
         for (int tries = 0; tries < 5 && !replay.abandoned(); ++tries, dt = whole_steps_per_batch(0.6 * dt)) {
-            work_left -= span / dt * engine.step_cost();
+            work_left -= span / dt * a_step;
             if (work_left < 0.0) break;
             engine.restore(good_place);
             engine.synchronise(good.time());

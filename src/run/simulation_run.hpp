@@ -177,7 +177,10 @@ struct Simulation::Run : RunState {
             }
             const auto alarms = [&] { return automatic() ? watch.warns() : watch.is_broken(); };
             // Samples may mislead, or leave too much in doubt.
-            if (alarms() || watch.suspects()) watch.count_again(*engine, now, abandon);
+            if (alarms() || watch.suspects()) {
+                watch.count_again(*engine, now, abandon);
+                if (!is_promised) watch.look_for_infinities(*engine, now);
+            }
             if (alarms()) {
                 if (!may_lower()) return stopped(abandon);
                 take_back();

@@ -55,11 +55,6 @@ void choose_view(AppState& app, Widgets& widgets) {
     toggle(&ViewSettings::forces);
     ImGui::SameLine(half);
     toggle(&ViewSettings::reference);
-    toggle(&ViewSettings::wind);
-    ImGui::SameLine(half);
-    toggle(&ViewSettings::bare_grid);
-    toggle(&ViewSettings::person);
-    edit(widgets, "view", row_of(&ViewSettings::background, view_keys), view, app.origin.view);
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ void edit_step(AppState& app, Widgets& widgets) {
 }  // namespace
 
 void draw_time_page(AppState& app, PanelMemory& memory, Widgets& widgets) {
+    draw_travel(app, widgets);
     edit_method(app, widgets);
     edit_step(app, widgets);
     if (app.scene.view.reference &&

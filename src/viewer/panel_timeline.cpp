@@ -1,4 +1,4 @@
-// The panel's row of time: back and forth through the moments that are kept, and how fast time passes.
+// The panel's rows of time: back and forth through the moments that are kept, and how fast time passes.
 #include "panels.hpp"
 
 #include "io/text.hpp"
@@ -11,30 +11,6 @@
 namespace drapeau {
 
 namespace {
-
-void draw_steps(AppState& app, Widgets& widgets) {
-    Travel& travel = app.commands.travel;
-    const float spacing = ImGui::GetStyle().ItemSpacing.x;
-    const float width = (ImGui::GetContentRegionAvail().x - 4.0f * spacing) / 5.0f;
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, ImGui::GetStyle().FramePadding.y});
-    if (widgets.button("Play backwards",
-                       "Lets what is kept pass backwards, at the speed below; Pause ends it. Key Backspace", width,
-                       "Reverse"))
-        travel.backwards = true;
-    ImGui::SameLine();
-    if (widgets.button("Second back", "Looks at the moment kept a second earlier. Key Page Up", width, "-1 s"))
-        travel.seconds = -1;
-    ImGui::SameLine();
-    if (widgets.button("Frame back", "Looks at the moment kept a frame, 1/60 s, earlier. Key ,", width, "-frame"))
-        travel.frames = -1;
-    ImGui::SameLine();
-    if (widgets.button("Frame", "One frame on: 1/60 s of simulated time, then a pause. Key N", width, "+frame"))
-        travel.frames = 1;
-    ImGui::SameLine();
-    if (widgets.button("Second", "One second of simulated time on, then a pause. Key Page Down", width, "+1 s"))
-        travel.seconds = 1;
-    ImGui::PopStyleVar();
-}
 
 void draw_scrubber(AppState& app, Widgets& widgets) {
     const Playback& play = app.playback;
@@ -97,8 +73,31 @@ void draw_speed(AppState& app, Widgets& widgets) {
 
 }  // namespace
 
+void draw_travel(AppState& app, Widgets& widgets) {
+    Travel& travel = app.commands.travel;
+    const float spacing = ImGui::GetStyle().ItemSpacing.x;
+    const float width = (ImGui::GetContentRegionAvail().x - 4.0f * spacing) / 5.0f;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, ImGui::GetStyle().FramePadding.y});
+    if (widgets.button("Play backwards",
+                       "Lets what is kept pass backwards, at the speed above; Pause ends it. Key Backspace", width,
+                       "Reverse"))
+        travel.backwards = true;
+    ImGui::SameLine();
+    if (widgets.button("Second back", "Looks at the moment kept a second earlier. Key Page Up", width, "-1 s"))
+        travel.seconds = -1;
+    ImGui::SameLine();
+    if (widgets.button("Frame back", "Looks at the moment kept a frame, 1/60 s, earlier. Key ,", width, "-frame"))
+        travel.frames = -1;
+    ImGui::SameLine();
+    if (widgets.button("Frame", "One frame on: 1/60 s of simulated time, then a pause. Key N", width, "+frame"))
+        travel.frames = 1;
+    ImGui::SameLine();
+    if (widgets.button("Second", "One second of simulated time on, then a pause. Key Page Down", width, "+1 s"))
+        travel.seconds = 1;
+    ImGui::PopStyleVar();
+}
+
 void draw_timeline(AppState& app, Widgets& widgets) {
-    draw_steps(app, widgets);
     draw_scrubber(app, widgets);
     draw_speed(app, widgets);
 }

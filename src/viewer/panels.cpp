@@ -26,16 +26,22 @@ void draw_page(AppState& app, PanelMemory& memory, Widgets& widgets) {
         case 3:
             draw_time_page(app, memory, widgets);
             break;
-        default:
+        case 4:
             draw_trade_page(app, widgets);
+            break;
+        default:
+            draw_view_page(app, widgets);
             break;
     }
 }
 
 // Where there is room the page scrolls and the rest stays in sight, else the panel scrolls as a whole: never both.
 void draw_page_and_readings(AppState& app, PanelMemory& memory, Widgets& widgets) {
-    const float page_height = ImGui::GetContentRegionAvail().y - readings_height(app) - plots_height(app);
-    const bool scrolls = page_height >= 3.0f * ImGui::GetFrameHeightWithSpacing();
+    const float row = ImGui::GetFrameHeightWithSpacing();
+    const float room = ImGui::GetContentRegionAvail().y - readings_height(app);
+    const bool plots = app.playback.plots || room >= 8.0f * row;
+    const float page_height = room - (plots ? plots_height(app) : 0.0f);
+    const bool scrolls = page_height >= 3.0f * row;
     // Each page is scrolled on its own.
     const std::string name = "page " + std::to_string(memory.page);
     if (scrolls) ImGui::BeginChild(name.c_str(), {0.0f, page_height});
@@ -43,7 +49,7 @@ void draw_page_and_readings(AppState& app, PanelMemory& memory, Widgets& widgets
     if (scrolls) ImGui::EndChild();
     ImGui::Separator();
     draw_readings(app, widgets);
-    draw_plots(app, widgets);
+    if (plots) draw_plots(app, widgets);
 }
 
 void draw_panel(AppState& app, PanelMemory& memory, Widgets& widgets) {
@@ -59,14 +65,16 @@ void draw_panel(AppState& app, PanelMemory& memory, Widgets& widgets) {
 
     if (app.mark && app.mark->page >= 0 && !app.mark->scrolled) memory.page = app.mark->page;
 
-    // Pages share the row equally; readings stay in sight below whichever is open.
+    // Pages fill the row, each with as much room beside its name; readings stay in sight below whichever is open.
     ImGui::Spacing();
     constexpr int count = int(std::size(page_names));
-    const float spacing = ImGui::GetStyle().ItemSpacing.x;
-    const float width = (ImGui::GetContentRegionAvail().x - (count - 1) * spacing) / count;
+    const float spacing = 0.5f * ImGui::GetStyle().ItemSpacing.x;
+    float room = ImGui::GetContentRegionAvail().x - (count - 1) * spacing;
+    for (const char* name : page_names) room -= ImGui::CalcTextSize(name).x;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, ImGui::GetStyle().FramePadding.y});
     for (int i = 0; i < count; ++i) {
-        if (i > 0) ImGui::SameLine();
+        if (i > 0) ImGui::SameLine(0.0f, spacing);
+        const float width = ImGui::CalcTextSize(page_names[i]).x + room / count;
         if (widgets.page(page_names[i], memory.page == i, width)) memory.page = i;
     }
     ImGui::PopStyleVar();

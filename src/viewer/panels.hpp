@@ -11,7 +11,7 @@
 
 namespace drapeau {
 
-inline constexpr const char* page_names[] = {"Flag", "Springs", "Wind", "Time", "Trade"};
+inline constexpr const char* page_names[] = {"Flag", "Springs", "Wind", "Time", "Trade", "View"};
 
 /// What the panels remember between frames.
 struct PanelMemory {
@@ -28,6 +28,7 @@ void draw_panels(AppState& app, PanelMemory& memory, UiMap& map);
 void draw_play(AppState& app, Widgets& widgets);
 void draw_history(AppState& app, Widgets& widgets);
 void draw_timeline(AppState& app, Widgets& widgets);
+void draw_travel(AppState& app, Widgets& widgets);
 float plots_height(const AppState& app);  // of what draw_plots shows
 void draw_plots(AppState& app, Widgets& widgets);
 void draw_flag_page(AppState& app, PanelMemory& memory, Widgets& widgets);
@@ -37,6 +38,7 @@ void draw_springs_page(AppState& app, Widgets& widgets);
 void draw_wind_page(AppState& app, PanelMemory& memory, Widgets& widgets);
 void draw_time_page(AppState& app, PanelMemory& memory, Widgets& widgets);
 void draw_trade_page(AppState& app, Widgets& widgets);
+void draw_view_page(AppState& app, Widgets& widgets);
 float readings_height(const AppState& app);  // of what draw_readings shows
 void draw_readings(const AppState& app, Widgets& widgets);
 void draw_message(AppState& app, Widgets& widgets);

@@ -220,7 +220,7 @@ void App::show(const std::string& label) {
     settle();  // a page just opened lies where it stays only once it has been drawn
     const Point page = look().box("panel").at(0.5, 0.5);
     for (int notches = 0; !look().has(label); ++notches) {
-        if (notches == 20) give_up("scrolling the page does not bring '" + label + "' into sight");
+        if (notches == 40) give_up("scrolling the page does not bring '" + label + "' into sight");
         wheel(page, -1);
     }
 }

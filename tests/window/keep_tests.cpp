@@ -275,6 +275,7 @@ TEST_CASE_METHOD(Desk,
 TEST_CASE_METHOD(Desk, "the background is sky, studio or nothing, over which the window draws a checkerboard") {
     const Point corner = app.look().box("view").at(0.97, 0.03);
     const auto choose = [&](const std::string& background) {
+        app.click("Page: View");
         app.click("Background");
         app.click("Background: " + background);
         app.wait_until(background, [&](const Look& look) {

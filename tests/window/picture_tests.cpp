@@ -74,6 +74,7 @@ TEST_CASE("between the masses the surface is smooth, and a switch shows the bare
     const Box flag = app.settle().box("flag");
     const Box around{flag.x0 - 20, flag.y0 - 20, flag.x1 + 20, flag.y1 + 20};
     const drapeau::Image smooth = app.picture();
+    app.click("Page: View");
     app.set("Bare grid", true);
     const drapeau::Image bare = app.picture();
     app.set("Cloth", false);

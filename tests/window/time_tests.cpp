@@ -40,6 +40,8 @@ struct Flight {
     TemporaryFolder folder;
     App app{screen, {written(folder, "falling.toml", falling_scene), "--size", "1000x800"}};
 
+    Flight() { app.click("Page: Time"); }  // where the steps of all sizes are
+
     Look until_time(double time) {
         return app.wait_until("simulated time", [=](const Look& look) { return look.number("time") >= time; });
     }

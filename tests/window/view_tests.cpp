@@ -140,6 +140,7 @@ TEST_CASE("force colours are redder where springs carry more, with a legend in n
 }
 
 TEST_CASE_METHOD(StillFlag, "every key of the view does what its switch does") {
+    app.click("Page: View");
     for (const auto& [key, label] : {std::pair{"t", "Texture"}, std::pair{"s", "Springs"}, std::pair{"d", "Diagonals"},
                                      std::pair{"f", "Force colours"}, std::pair{"m", "Masses"}, std::pair{"c", "Cloth"},
                                      std::pair{"g", "Reference"}, std::pair{"w", "Wind shown"}}) {
