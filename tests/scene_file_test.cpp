@@ -697,7 +697,7 @@ TEST_CASE("a texture lies beside the scene or among the flags") {
     CHECK_THROWS_AS(find_texture("", folder.path / "x.toml"), InputError);
 }
 
-TEST_CASE("a value out of its range is said as it was given; one that was computed is rounded, with its unit") {
+TEST_CASE("a value out of its range is said as it was given, one that was computed is rounded, with its unit") {
     Scene scene = parse_scene("[springs]\nmass = 0.01\nstiffness = 5\n", "typed.toml");
     scene.time.dt = 7.5e-10;
     CHECK(message_of_scene(scene).starts_with("time.dt = 7.5e-10: "));

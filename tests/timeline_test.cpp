@@ -214,7 +214,7 @@ TEST_CASE("what several moments share is counted once, and given back with the l
     CHECK(timeline.bytes() == 0);
 }
 
-TEST_CASE("the moments of a timeline are found by their time; a newer one takes the place of those after it") {
+TEST_CASE("the moments of a timeline are found by their time, and a newer one takes the place of those after it") {
     Simulation simulation(sheet());
     const auto run = simulation.keep();
     Timeline timeline;

@@ -84,7 +84,8 @@ TEST_CASE_METHOD(Report, "Escape lets go while the button is down, and a paused 
     app.check_healthy();
 }
 
-TEST_CASE_METHOD(StillFlag, "a click on the cloth reads a mass, or a spring where they are shown; a drag does not") {
+TEST_CASE_METHOD(StillFlag,
+                 "a click on the cloth reads a mass, or a spring where they are shown, and a drag does not") {
     const Box flag = app.settle().box("flag");
     app.drag(flag.at(0.4, 0.5), flag.at(0.5, 0.5));
     CHECK(app.settle().text("readout").empty());
@@ -114,7 +115,7 @@ TEST_CASE_METHOD(StillFlag, "a click on the cloth reads a mass, or a spring wher
 }
 
 TEST_CASE_METHOD(StillFlag,
-                 "the wheel comes closer to what is under the mouse, and O turns slowly until it is pressed again") {
+                 "the wheel comes closer to what is under the mouse, and A turns slowly until it is pressed again") {
     const Box before = app.settle().box("flag");
     const Point corner{before.x1, before.y0};
     app.wheel(corner, 3);
@@ -133,7 +134,7 @@ TEST_CASE_METHOD(StillFlag,
     app.check_healthy();
 }
 
-TEST_CASE_METHOD(Report, "the compass sets the wind, which W shows, and the page keys haul the flag along its pole") {
+TEST_CASE_METHOD(Report, "the compass sets the wind, which W shows, and U and L haul the flag along its pole") {
     app.click("Page: Wind");
     const Look look = app.wait_until("the compass", [](const Look& now) { return now.has("Wind compass"); });
     const Box dial = look.controls.at("Wind compass").box;
@@ -153,9 +154,9 @@ TEST_CASE_METHOD(Report, "the compass sets the wind, which W shows, and the page
     CHECK(app.settle().text("wind_shown").empty());
 
     const double top = app.settle().box("flag").y0;
-    for (int n = 0; n < 4; ++n) app.press("Next");
+    for (int n = 0; n < 4; ++n) app.press("l");
     app.wait_until("the flag to be lower", [&](const Look& now) { return now.box("flag").y0 > top + 25; });
-    for (int n = 0; n < 4; ++n) app.press("Prior");
+    for (int n = 0; n < 4; ++n) app.press("u");
     app.wait_until("the flag to be up again", [&](const Look& now) { return now.box("flag").y0 < top + 12; });
     app.check_healthy();
 }

@@ -65,9 +65,12 @@ TEST_CASE("every setting of a scene has its control") {
     scene.terms.get<drapeau::Bending>().emplace();
     scene.limits.get<drapeau::Ground>().emplace();
     scene.limits.get<drapeau::Pole>().emplace();
+    scene.flag.columns = 5, scene.flag.rows = 4;
+    scene.view.cloth = false;  // only the panel is looked at
     Screen screen;
     TemporaryFolder folder;
     App app(screen, {written(folder, "all.toml", drapeau::write_scene(scene)), "--size", "900x640"});
+    app.press("space");
     each_table(scene, [&](const std::string& table, const auto& settings, const auto& keys) {
         if (table == "springs" || table == "fabric") {
             if (!listed(settings)) return;
@@ -359,7 +362,8 @@ TEST_CASE("a refusal is told once: closed while the flag plays it stays closed, 
 
 TEST_CASE("the error of the run is shown, and a tolerance makes the step smaller until it is met") {
     const Screen screen;
-    App app(screen, {"report", "--size", "1280x800", "--set", "flag.columns=16", "--set", "flag.rows=11"});
+    App app(screen, {"report", "--size", "1280x800", "--set", "flag.columns=16", "--set", "flag.rows=11", "--set",
+                     "view.cloth=false"});
     const auto value = [](const Look& look, const std::string& label) { return look.controls.at(label).value; };
     const Look measured = app.wait_until("an error", [&](const Look& look) {
         return look.has("Reading: Error") && value(look, "Reading: Error").find("mm/s") != std::string::npos;

@@ -164,7 +164,7 @@ TEST_CASE("a second on and a second back, a step of the method, and backwards to
     flight.app.check_healthy();
 }
 
-TEST_CASE("the speed ladder is climbed by keys and buttons; slow motion moves in small steps") {
+TEST_CASE("the speed ladder is climbed by keys and buttons, and slow motion moves in small steps") {
     Flight flight;
     CHECK(flight.app.look().number("speed") == 1.0);
     flight.app.press("bracketright");
