@@ -11,6 +11,7 @@ uniform float width;      // at most, in units of line width
 uniform float lift;       // m towards the eye, so that the cloth does not hide its own springs
 uniform int by_force;
 uniform float force_scale;  // N
+uniform float slack_presence;
 uniform vec3 color;
 uniform int on_picture;   // 1: light on dark parts of the picture and dark on light ones
 uniform ivec2 grid;       // columns, rows
@@ -18,6 +19,7 @@ uniform ivec2 grid;       // columns, rows
 out vec3 tint;
 out float across;  // pixels from the line's middle
 flat out float half_width;
+flat out float presence;  // slack springs before dark cloth stand back, so that those that pull stand out
 
 const vec3 strongest = vec3(0.80, 0.0, 0.015);
 const vec3 dark = vec3(0.012, 0.015, 0.022);
@@ -40,7 +42,9 @@ void main() {
 
     // |k (l - L)|, white when slack and red at the scale's end
     float force = abs(stiffness * (distance(a, b) - rest));
-    tint = by_force == 1 ? mix(vec3(1.0), strongest, clamp(force / force_scale, 0.0, 1.0)) : color;
+    float share = clamp(force / force_scale, 0.0, 1.0);
+    tint = by_force == 1 ? mix(vec3(1.0), strongest, share) : color;
+    presence = by_force == 1 ? mix(slack_presence, 1.0, sqrt(share)) : 1.0;
     if (on_picture == 1) tint = contrast(vec2(mass) + 0.5 * vec2(offset));
 
     vec4 ends[2] = vec4[2](lifted(a), lifted(b));

@@ -22,6 +22,7 @@ void SpringPass::draw(const GridTextures& grid, const Picture& picture, const Fl
     shader_.set("on_picture", on_picture ? 1 : 0);
     shader_.set("by_force", picture.forces ? 1 : 0);
     shader_.set("force_scale", picture.force_scale);
+    shader_.set("slack_presence", on_cloth ? 0.35f : 1.0f);
     shader_.set("lift", 0.12f * std::min(picture.kinds.fly.rest, picture.kinds.hoist.rest));
     shader_.set("color", on_cloth ? light : dark);
     if (on_picture) {
