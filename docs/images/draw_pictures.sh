@@ -36,3 +36,19 @@ still wind breeze --set view.wind=true
 still person breeze --set view.person=true
 still studio breeze --set view.background=studio
 still reference storm --set view.reference=true
+# What the greatest spring length buys, in docs/limit.md: a storm on its own springs, on springs a 64th as stiff, and on
+# those with a limit of 5 %.
+part() { # NAME OPTION...
+  name=$1
+  shift
+  "$drapeau" "$here/../../assets/scenes/linear-drag/storm.toml" --record "$frames/$name-%04d.png" --from 4 --seconds 4 \
+    --fps 24 --size 360x300 "$@"
+}
+rm -f "$frames"/*
+soft="--set springs.stiffness=46.875 --set springs.diagonal_stiffness=23.4375"
+part own
+part soft $soft
+part limited $soft --set limit.stretch=0.05
+ffmpeg -loglevel error -y -framerate 24 -i "$frames/own-%04d.png" -framerate 24 -i "$frames/soft-%04d.png" \
+  -framerate 24 -i "$frames/limited-%04d.png" -filter_complex hstack=3 -c:v libwebp_anim -quality 55 -loop 0 \
+  "$here/limited.webp"
