@@ -176,8 +176,10 @@ TEST_CASE("a numbered name has one place for the number") {
         CHECK_THROWS_AS(check_numbered(bad), InputError);
 }
 
-TEST_CASE("a sequence of pictures is whole, or nothing is left of it") {
+TEST_CASE("a sequence of pictures is whole, or nothing is left of it and pictures of its names stay as they were") {
     const Folder folder;
+    const fs::path older = folder.path / "p-00.png";
+    std::ofstream(older) << "older";
     const FilmPlan plan{.file = folder.path / "p-%02d.png",
                         .width = 16,
                         .height = 16,
@@ -188,15 +190,17 @@ TEST_CASE("a sequence of pictures is whole, or nothing is left of it") {
         FilmWriter given_up(plan, "");
         given_up.add(blank_image(16, 16));
         while (given_up.written() == 0 && given_up.trouble().empty()) given_up.wait(1.0);
-        CHECK(folder.files() == 1);
+        CHECK(folder.files() == 2);
     }
-    CHECK(folder.files() == 0);
+    CHECK(folder.files() == 1);
+    CHECK(fs::file_size(older) == 5);
     FilmWriter whole(plan, "");
     for (int k = 0; k < 3; ++k) whole.add(blank_image(16, 16));
     while (!whole.done() && whole.trouble().empty()) whole.wait(1.0);
     CHECK(whole.trouble().empty());
     CHECK(folder.files() == 3);
     CHECK(fs::exists(folder.path / "p-02.png"));
+    CHECK(fs::file_size(older) > 5);
 }
 
 TEST_CASE("what was drawn over nothing has its own colour again, and its alpha") {

@@ -80,6 +80,17 @@ TEST_CASE("what follows by itself belongs to its change, and a change that was r
     CHECK(edited.undo() == first.flag.columns);
 }
 
+TEST_CASE("an earlier moment with its settings is looked at, and what was set since can still be undone", "[history]") {
+    Edited edited;
+    const Scene first = edited.scene;
+    edited.set(50);
+    edited.history.look_at({first, {}});
+    edited.history.look_at({edited.scene, {}});
+    edited.history.amend({edited.scene, {}});
+    CHECK(edited.history.undone() == "Columns");
+    CHECK(edited.undo() == first.flag.columns);
+}
+
 TEST_CASE("only so many changes are kept", "[history]") {
     Edited edited;
     const int changes = int(History::max_changes) + 50;

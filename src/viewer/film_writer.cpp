@@ -17,6 +17,11 @@ namespace {
 
 constexpr std::size_t most_waiting = 3;  // frames not encoded yet: they are large
 
+/// Where a picture is until all are there: older ones of its name stay until then.
+std::filesystem::path unfinished(const std::filesystem::path& picture) {
+    return picture.string() + ".part";
+}
+
 }  // namespace
 
 FilmWriter::FilmWriter(const FilmPlan& plan, const std::string& asked_by) : plan_(plan) {
@@ -82,13 +87,17 @@ void FilmWriter::wait(double seconds) {
 void FilmWriter::write(const Image& frame, long long number) {
     if (film_) return film_->add(frame);
     const auto file = numbered(plan_.file, number);
-    write_png(file, frame);
     pictures_.push_back(file);
+    write_png(unfinished(file), frame);
+}
+
+void FilmWriter::name_pictures() {
+    for (const auto& file : pictures_) std::filesystem::rename(unfinished(file), file);
 }
 
 void FilmWriter::remove_pictures() {
     std::error_code ignored;
-    for (const auto& file : pictures_) std::filesystem::remove(file, ignored);
+    for (const auto& file : pictures_) std::filesystem::remove(unfinished(file), ignored);
 }
 
 void FilmWriter::work() {
@@ -109,7 +118,7 @@ void FilmWriter::work() {
             finished_.notify_all();
         }
         lock.unlock();
-        if (film_) film_->finish();
+        film_ ? film_->finish() : name_pictures();
     } catch (const std::bad_alloc&) {
         trouble = "there is not enough memory for the film";
     } catch (const std::exception& failure) {

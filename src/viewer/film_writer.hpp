@@ -37,6 +37,7 @@ public:
 private:
     void work();
     void write(const Image& frame, long long number);
+    void name_pictures();
     void remove_pictures();
 
     FilmPlan plan_;

@@ -32,6 +32,8 @@ public:
     /// Takes in what followed from the last change by itself, such as a width from an image's proportions, or that it
     /// was refused.
     void amend(const Entry& now);
+    /// What is there is only looked at: an earlier moment with its settings.
+    void look_at(const Entry& now) { now_ = now; }
 
     /// The settings before the last change, or after the one that was undone last; nothing if there is none.
     std::optional<Entry> undo();

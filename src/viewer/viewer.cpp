@@ -188,7 +188,7 @@ void Viewer::exchange() {
     if (runs()) ask_for_time(passed);
     if (repeatable()) simulation_.wait();
     receive(passed);
-    app_.history.amend(entry_now());
+    app_.playback.shown ? app_.history.look_at(entry_now()) : app_.history.amend(entry_now());
 }
 
 void Viewer::use_safe_step() {

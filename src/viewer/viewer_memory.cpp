@@ -116,6 +116,9 @@ History::Entry Viewer::entry_now() const {
 void Viewer::undo_wanted() {
     const bool undo = app_.commands.undo;
     if (!(undo || app_.commands.redo) || opening_) return;
+    if (app_.playback.shown)
+        return say(app_, Message::Cause::history, "An earlier moment is shown: go on from it, or back to the end",
+                   false);
     const std::string what = undo ? app_.history.undone() : app_.history.redone();
     const auto entry = undo ? app_.history.undo() : app_.history.redo();
     if (!entry) return say(app_, Message::Cause::history, undo ? "Nothing to undo" : "Nothing to redo", false);
