@@ -149,7 +149,8 @@ TEST_CASE("the file lies where XDG says, else in the home folder, else nowhere",
     }
 }
 
-TEST_CASE("recent files: the newest first, each once, only some, and those with one name show their paths", "[settings]") {
+TEST_CASE("recent files: the newest first, each once, only some, and those with one name show their paths",
+          "[settings]") {
     std::vector<std::string> files;
     for (int i = 0; i < 12; ++i) remember_file(files, "/scenes/" + std::to_string(i) + ".toml");
     CHECK(files.size() == max_recent_files);
