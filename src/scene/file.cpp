@@ -168,32 +168,6 @@ void read_keys(const toml::table& node, const std::string& table, Settings& sett
     });
 }
 
-/// The line of the first character beyond ASCII that stands neither in a text nor in a comment, where TOML has none and
-/// toml++ 3.3 does not expect any; 0: there is none.
-std::size_t line_of_stray_character(std::string_view text) {
-    std::size_t line = 1;
-    std::string_view quote;  // that ends the text one is in
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] == '\n') ++line;
-        if (text[i] == '\n' && quote.size() == 1) quote = {};
-        if (!quote.empty()) {
-            if (text[i] == '\\' && quote[0] == '"')
-                ++i;
-            else if (text.substr(i).starts_with(quote))
-                i += quote.size() - 1, quote = {};
-        } else if (text[i] == '#') {
-            while (i + 1 < text.size() && text[i + 1] != '\n') ++i;
-        } else if (text[i] == '"' || text[i] == '\'') {
-            const std::string_view three = text.substr(i, 3);
-            quote = three == "\"\"\"" || three == "\'\'\'" ? three : text.substr(i, 1);
-            i += quote.size() - 1;
-        } else if (static_cast<unsigned char>(text[i]) >= 0x80) {
-            return line;
-        }
-    }
-    return 0;
-}
-
 /// Tables of the file that no scene has, or that no scene of this version has.
 void refuse_unknown_tables(const toml::table& root, const std::string& origin) {
     std::vector<std::string_view> known = names_in(scene_keys);
@@ -267,10 +241,6 @@ Scene parse_scene(std::string_view text, const std::string& origin, std::span<co
         fail(origin,
              std::to_string(nesting) + " dots and brackets, at most " + std::to_string(max_nesting) + " are allowed");
     }
-
-    if (const std::size_t line = line_of_stray_character(text))
-        throw InputError(one_line(origin, 1000) + ":" + std::to_string(line) +
-                         ": a letter or sign that only a text in quotes or a comment may hold");
 
     toml::table root;
     try {
