@@ -5,7 +5,7 @@
 // makes the patch heavier by dt C + dt2 K for all that pushes it within the step, so no limit of stability is lowered.
 // A method that solves for the springs takes the push at the beginning of a step instead, as velocity alone: the solve
 // spreads it, and what the springs about the patch resist with belongs to its mass when the force is found. Its steps
-// are large, so the patch is too (a third of the flag's shorter side), and would move by a twentieth of that at most.
+// are large, so the patch is too (a third of the flag's shorter side), and would move by a fiftieth of that at most.
 //
 // However far away the hand is, the spring pulls with `strongest` at most, a quarter of what would double the length of
 // the threads that are held (and 40 times the flag's weight at 9.8 m/s2), and the damper takes all of that at 10 m/s: a
@@ -100,7 +100,7 @@ public:
         const glm::dvec3 here = place(fields[0]), velocity = place(fields[1]);
         const double met = mass_ + (solves ? dt * own_damping_ + dt * dt * own_stiffness_ : 0.0);  // kg
         glm::dvec3 force = force_on(here, velocity, dt, met);
-        const double most = 0.05 * radius_ * mass_ / (dt * dt), size = std::sqrt(dot(force, force));
+        const double most = 0.02 * radius_ * mass_ / (dt * dt), size = std::sqrt(dot(force, force));
         if (solves && size > most) force *= most / size;
         const glm::dvec3 faster = dt / met * force, push = dt / mass_ * force;  // m/s, of the patch
         report.seconds += dt;
