@@ -1,5 +1,6 @@
 // Simulation thread: what is asked for is done once, in order, and whatever goes wrong becomes a message.
 #include "catch.hpp"
+#include "small_sheet.hpp"
 #include "scarce_memory.hpp"
 
 #include "viewer/simulation_thread.hpp"
@@ -15,30 +16,21 @@
 
 using namespace drapeau;
 using drapeau::testing::ScarceMemory;
+using drapeau::testing::small_sheet;
 using namespace std::chrono_literals;
 
 namespace {
 
-Scene sheet(int columns = 12, int rows = 8) {
-    Scene scene;
-    scene.flag.columns = columns, scene.flag.rows = rows;
-    scene.springs->damping = 0.002;
-    scene.springs->drag = 0.0002;
-    scene.gravity() = Gravity{};
-    scene.wind() = Wind{.velocity = {5.0, 0.0, 1.0}, .gusts = {1.0, 0.5, 1.0}};
-    return scene;
-}
-
 /// Batches of this one take long enough to be interrupted.
 Scene large() {
-    Scene scene = sheet(400, 300);
+    Scene scene = small_sheet(400, 300);
     scene.springs->stiffness = 2e5;
     return scene;
 }
 
 /// One that takes all the work that settling may.
 Scene slow_to_settle() {
-    Scene scene = sheet(200, 200);
+    Scene scene = small_sheet(200, 200);
     scene.springs->stiffness = 1000.0;
     scene.springs->mass = 1e-5;
     scene.flag.start = Start::hanging;
@@ -46,13 +38,13 @@ Scene slow_to_settle() {
 }
 
 Scene impossible() {
-    Scene scene = sheet();
+    Scene scene = small_sheet();
     scene.flag.columns = 0;
     return scene;
 }
 
 Scene bursting() {
-    Scene scene = sheet();
+    Scene scene = small_sheet();
     scene.time.dt = batch_seconds;  // far beyond the limit of these springs
     return scene;
 }
@@ -122,22 +114,22 @@ std::ptrdiff_t threads_that_stay() {
 }  // namespace
 
 TEST_CASE("a thread shows its start before anything is asked for") {
-    SimulationThread thread{Simulation(sheet())};
+    SimulationThread thread{Simulation(small_sheet())};
     const Moment moment = newest_of(thread);
-    check_same(moment.snapshot, after_batches(sheet(), 0));
-    CHECK(moment.scene == sheet());
+    check_same(moment.snapshot, after_batches(small_sheet(), 0));
+    CHECK(moment.scene == small_sheet());
     CHECK(moment.revision == 0);
     CHECK(moment.dt > 0.0);
     CHECK(!moment.stands());
 }
 
 TEST_CASE("batches asked for are done, each once, and waiting waits for all of them", "[threads]") {
-    SimulationThread thread{Simulation(sheet())};
+    SimulationThread thread{Simulation(small_sheet())};
     thread.ask_batches(3);
     thread.ask_batches(4);
     const Moment moment = newest_of(thread);
     CHECK(thread.backlog() == 0);
-    check_same(moment.snapshot, after_batches(sheet(), 7));
+    check_same(moment.snapshot, after_batches(small_sheet(), 7));
     CHECK(moment.step_seconds > 0.0);
 
     // Nothing goes on by itself, and nothing is new.
@@ -147,7 +139,7 @@ TEST_CASE("batches asked for are done, each once, and waiting waits for all of t
 }
 
 TEST_CASE("a single step is one step") {
-    SimulationThread thread{Simulation(sheet())};
+    SimulationThread thread{Simulation(small_sheet())};
     for (int step = 0; step < 3; ++step) thread.ask_step();
     const Moment moment = newest_of(thread);
     CHECK(moment.snapshot.steps == 3);
@@ -156,7 +148,7 @@ TEST_CASE("a single step is one step") {
 
 TEST_CASE("readings are of the moment itself after a step or a change, and never far behind it while the flag plays",
           "[threads]") {
-    SimulationThread thread{Simulation(sheet())};
+    SimulationThread thread{Simulation(small_sheet())};
     CHECK(newest_of(thread).readings.time == 0.0);
     for (int batch = 1; batch <= 100; ++batch) {
         thread.ask_batches(1);
@@ -169,7 +161,7 @@ TEST_CASE("readings are of the moment itself after a step or a change, and never
     CHECK(stepped.readings.time == stepped.snapshot.time);
     thread.ask_batches(1);
     thread.wait();
-    Scene windless = sheet();
+    Scene windless = small_sheet();
     windless.wind().reset();
     thread.apply(windless, 1);
     const Moment changed = newest_of(thread);
@@ -177,7 +169,7 @@ TEST_CASE("readings are of the moment itself after a step or a change, and never
 }
 
 TEST_CASE("springs are drawn with the rest lengths and stiffnesses of the model") {
-    Scene scene = sheet(4, 3);
+    Scene scene = small_sheet(4, 3);
     scene.flag.width = 1.5, scene.flag.height = 1.0;
     scene.springs->stiffness = 50.0;
     SimulationThread thread{Simulation(scene)};
@@ -197,10 +189,10 @@ TEST_CASE("springs are drawn with the rest lengths and stiffnesses of the model"
 }
 
 TEST_CASE("a change goes on from where the run is, a restart from the start") {
-    SimulationThread thread{Simulation(sheet())};
+    SimulationThread thread{Simulation(small_sheet())};
     thread.ask_batches(5);
     thread.wait();
-    Scene windless = sheet();
+    Scene windless = small_sheet();
     windless.wind().reset();
     thread.apply(windless, 1);
     const Moment changed = newest_of(thread);
@@ -215,12 +207,12 @@ TEST_CASE("a change goes on from where the run is, a restart from the start") {
 }
 
 TEST_CASE("of several changes asked for at once the last counts, and a restart among them is not lost", "[threads]") {
-    SimulationThread thread{Simulation(sheet())};
+    SimulationThread thread{Simulation(small_sheet())};
     thread.ask_batches(3);
     thread.wait();
     thread.apply(large(), 1);  // takes longer than to ask for two more
-    thread.restart(sheet(20, 10), 2);
-    thread.apply(sheet(30, 10), 3);
+    thread.restart(small_sheet(20, 10), 2);
+    thread.apply(small_sheet(30, 10), 3);
     const Moment moment = newest_of(thread);
     CHECK(moment.revision == 3);
     CHECK(moment.snapshot.position.columns() == 30);
@@ -255,18 +247,18 @@ TEST_CASE("a thread ends promptly in the middle of a batch that takes minutes") 
 }
 
 TEST_CASE("a start that settles is abandoned for a newer change, which then starts anew, and by the end") {
-    auto thread = std::make_unique<SimulationThread>(Simulation(sheet()));
+    auto thread = std::make_unique<SimulationThread>(Simulation(small_sheet()));
     thread->ask_batches(3);
     thread->wait();
     thread->restart(slow_to_settle(), 1);
     while (!thread->settling()) std::this_thread::sleep_for(1ms);
     auto begin = std::chrono::steady_clock::now();
-    thread->apply(sheet(20, 10), 2);
+    thread->apply(small_sheet(20, 10), 2);
     const Moment moment = newest_of(*thread);
     CHECK(std::chrono::steady_clock::now() - begin < 1s);  // it needs three
     CHECK(!thread->settling());
     CHECK(moment.revision == 2);
-    CHECK(moment.scene == sheet(20, 10));
+    CHECK(moment.scene == small_sheet(20, 10));
     CHECK(moment.snapshot.time == 0.0);
 
     thread->apply(slow_to_settle(), 3);
@@ -277,7 +269,7 @@ TEST_CASE("a start that settles is abandoned for a newer change, which then star
 }
 
 TEST_CASE("a refused scene is reported with its reason and leaves the run as it was") {
-    SimulationThread thread{Simulation(sheet())};
+    SimulationThread thread{Simulation(small_sheet())};
     thread.ask_batches(2);
     thread.wait();
     for (const bool from_start : {false, true}) {
@@ -289,14 +281,14 @@ TEST_CASE("a refused scene is reported with its reason and leaves the run as it 
         CHECK(moment.refused_revision == (from_start ? 5 : 4));
         CHECK(moment.refusal.find("flag.columns = 0") != std::string::npos);
         CHECK(moment.revision == 0);
-        CHECK(moment.scene == sheet());
-        check_same(moment.snapshot, after_batches(sheet(), 2));
+        CHECK(moment.scene == small_sheet());
+        check_same(moment.snapshot, after_batches(small_sheet(), 2));
         CHECK(!moment.stands());
     }
     thread.ask_batches(3);
-    check_same(newest_of(thread).snapshot, after_batches(sheet(), 5));
+    check_same(newest_of(thread).snapshot, after_batches(small_sheet(), 5));
 
-    thread.restart(sheet(), 6);
+    thread.restart(small_sheet(), 6);
     const Moment taken = newest_of(thread);
     CHECK(taken.refusal.empty());
     CHECK(taken.refused_revision == -1);
@@ -325,7 +317,7 @@ TEST_CASE("a divergence drops the batches that were asked for, until a scene is 
 }
 
 TEST_CASE("a scene there is no memory for is refused in words, and the run goes on to the same bits") {
-    SimulationThread thread{Simulation(sheet())};
+    SimulationThread thread{Simulation(small_sheet())};
     thread.ask_batches(2);
     thread.wait();
     for (const bool from_start : {false, true}) {
@@ -340,11 +332,11 @@ TEST_CASE("a scene there is no memory for is refused in words, and the run goes 
         const Moment moment = newest_of(thread);
         CHECK(moment.refused_revision == (from_start ? 2 : 1));
         CHECK(moment.refusal.find("not enough memory for this flag: 400 x 300 masses") == 0);
-        CHECK(moment.scene == sheet());
-        check_same(moment.snapshot, after_batches(sheet(), 2));
+        CHECK(moment.scene == small_sheet());
+        check_same(moment.snapshot, after_batches(small_sheet(), 2));
     }
     thread.ask_batches(3);
-    check_same(newest_of(thread).snapshot, after_batches(sheet(), 5));
+    check_same(newest_of(thread).snapshot, after_batches(small_sheet(), 5));
 }
 
 TEST_CASE("whatever is thrown while the run advances becomes a message, and the next scene goes on", "[threads]") {
@@ -354,7 +346,7 @@ TEST_CASE("whatever is thrown while the run advances becomes a message, and the 
                                                     {Thrown::no_exception, "unknown reason"}};
     for (const auto& [thrown, said] : cases) {
         CAPTURE(said);
-        SimulationThread thread{Simulation(sheet(100, 100))};
+        SimulationThread thread{Simulation(small_sheet(100, 100))};
         thread.wait();
         {
             const ScarceMemory scarce(20000, thrown);  // bytes; a component of this flag is 40000
@@ -372,12 +364,12 @@ TEST_CASE("whatever is thrown while the run advances becomes a message, and the 
         Moment moment;
         if (thread.take(moment)) CHECK(moment.stands());
 
-        thread.restart(sheet(), 1);
+        thread.restart(small_sheet(), 1);
         thread.ask_batches(3);
         const Moment healed = newest_of(thread);
         CHECK(!healed.stands());
         CHECK(healed.revision == 1);
-        check_same(healed.snapshot, after_batches(sheet(), 3));
+        check_same(healed.snapshot, after_batches(small_sheet(), 3));
     }
 }
 
@@ -391,7 +383,7 @@ TEST_CASE("one processor is left to the picture, and one thread there always is"
 TEST_CASE("a large flag is moved by as many threads as given, through changes and restarts too, to the same bits",
           "[threads]") {
     const auto before = threads_that_stay();
-    const Scene scene = sheet(100, 80);
+    const Scene scene = small_sheet(100, 80);
     SimulationThread thread(Simulation(scene), 3);
     // The one that serves requests is among the three.
     CHECK(threads_settling_at(before + 3) == before + 3);
@@ -400,11 +392,11 @@ TEST_CASE("a large flag is moved by as many threads as given, through changes an
     CHECK(threads_settling_at(before + 3) == before + 3);
     thread.ask_batches(2);
     check_same(newest_of(thread).snapshot, after_batches(scene, 2));
-    thread.apply(sheet(110, 80), 2);
+    thread.apply(small_sheet(110, 80), 2);
     thread.wait();
     CHECK(threads_settling_at(before + 3) == before + 3);
     // A flag too small for threads to pay stays on one.
-    thread.restart(sheet(), 3);
+    thread.restart(small_sheet(), 3);
     thread.wait();
     CHECK(threads_settling_at(before + 1) == before + 1);
 }

@@ -2,6 +2,7 @@
 // within its budget.
 #include "all_methods.hpp"
 #include "catch.hpp"
+#include "small_sheet.hpp"
 
 #include "run/simulation.hpp"
 #include "scene/file.hpp"
@@ -13,22 +14,13 @@
 #include <functional>
 
 using namespace drapeau;
+using drapeau::testing::small_sheet;
 
 namespace {
 
-Scene sheet(int columns = 12, int rows = 8) {
-    Scene scene;
-    scene.flag.columns = columns, scene.flag.rows = rows;
-    scene.springs->damping = 0.002;
-    scene.springs->drag = 0.0002;
-    scene.gravity() = Gravity{};
-    scene.wind() = Wind{.velocity = {5.0, 0.0, 1.0}, .gusts = {1.0, 0.5, 1.0}};
-    return scene;
-}
-
 /// Air that moves along and is held, bending, travelling gusts, a stretch limit, contacts and a halyard that hauls.
 Scene everything() {
-    Scene scene = sheet();
+    Scene scene = small_sheet();
     scene.springs->stiffness = 50.0;
     scene.terms.get<Air>() = Air{.added = true};
     scene.terms.get<Bending>() = Bending{.stiffness = 1e-5, .damping = 0.01};
@@ -76,7 +68,7 @@ void check_goes_on(const Scene& scene, int before = 7, int after = 25) {
     CHECK(state_of(simulation) == then);
     CHECK(fly(simulation, after) == flown);
 
-    Simulation other(sheet(9, 7));
+    Simulation other(small_sheet(9, 7));
     other.use_threads(2);
     fly(other, 2);
     other.restore(*kept);
@@ -108,7 +100,7 @@ TEST_CASE("a flight goes on from a kept moment as it did, to the bit, by every m
     for (const Method method : all_methods())
         for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
             CAPTURE(name_of(method), int(precision));
-            Scene scene = sheet();
+            Scene scene = small_sheet();
             scene.springs->friction = 0.01;  // forward Euler has a stable step
             scene.time.method = method;
             scene.time.precision = precision;
@@ -128,7 +120,7 @@ TEST_CASE("a flight with everything in it goes on from a kept moment as it did, 
 }
 
 TEST_CASE("a step that a tolerance chooses is chosen again as it was, what was under way included") {
-    Scene scene = sheet(11, 7);
+    Scene scene = small_sheet(11, 7);
     scene.springs = {
         .mass = 0.001, .stiffness = 200.0, .diagonal_stiffness = 100.0, .damping = 0.02, .drag = 0.004, .friction = {}};
     scene.time.precision = Precision::double_precision;
@@ -144,7 +136,7 @@ TEST_CASE("a step that a tolerance chooses is chosen again as it was, what was u
 }
 
 TEST_CASE("a step that is lowered because energy is created is lowered again at the same moment") {
-    Scene scene = sheet();
+    Scene scene = small_sheet();
     scene.springs->damping = scene.springs->drag = std::nullopt;
     scene.springs->stiffness = 50.0;
     scene.wind().reset();
@@ -158,14 +150,14 @@ TEST_CASE("a step that is lowered because energy is created is lowered again at 
 }
 
 TEST_CASE("a kept moment knows its scene, its time and where the masses were") {
-    Simulation simulation(sheet());
+    Simulation simulation(small_sheet());
     fly(simulation, 3);
     const auto kept = simulation.keep();
     Snapshot then, again;
     simulation.snapshot(then);
     fly(simulation, 3);
     kept->snapshot(again);
-    CHECK(kept->scene() == sheet());
+    CHECK(kept->scene() == small_sheet());
     CHECK(kept->time() == then.time);
     CHECK(again.steps == then.steps);
     for (int c = 0; c < 3; ++c)
@@ -174,7 +166,7 @@ TEST_CASE("a kept moment knows its scene, its time and where the masses were") {
 }
 
 TEST_CASE("what is kept stays within its budget, dense where it is new and sparser where it is old") {
-    Simulation simulation(sheet());
+    Simulation simulation(small_sheet());
     std::vector<std::shared_ptr<const KeptRun>> runs;
     for (int n = 0; n < 40; ++n) {
         fly(simulation, 1);
@@ -199,7 +191,7 @@ TEST_CASE("what is kept stays within its budget, dense where it is new and spars
 }
 
 TEST_CASE("what several moments share is counted once, and given back with the last of them") {
-    Simulation simulation(sheet());
+    Simulation simulation(small_sheet());
     fly(simulation, 20);
     const auto one = simulation.keep(), other = simulation.keep();
     Timeline timeline;
@@ -215,7 +207,7 @@ TEST_CASE("what several moments share is counted once, and given back with the l
 }
 
 TEST_CASE("the moments of a timeline are found by their time, and a newer one takes the place of those after it") {
-    Simulation simulation(sheet());
+    Simulation simulation(small_sheet());
     const auto run = simulation.keep();
     Timeline timeline;
     CHECK(!timeline.nearest(0.0));
@@ -254,7 +246,7 @@ bool same_picture(const Snapshot& a, const Snapshot& b) {
 }  // namespace
 
 TEST_CASE("the simulation's thread keeps every frame, goes on from any and forgets what came after") {
-    SimulationThread thread{Simulation(sheet())};
+    SimulationThread thread{Simulation(small_sheet())};
     thread.ask_batches(20);
     const Moment end = newest_of(thread);
     CHECK(thread.history().moments == 21);
@@ -270,23 +262,23 @@ TEST_CASE("the simulation's thread keeps every frame, goes on from any and forge
     thread.ask_batches(10);
     CHECK(same_picture(newest_of(thread).snapshot, end.snapshot));
     CHECK(thread.history().moments == 21);
-    thread.restart(sheet(), 2);
+    thread.restart(small_sheet(), 2);
     newest_of(thread);
     CHECK(thread.history().moments == 1);
 }
 
 TEST_CASE("a kept moment of another grid comes back with its settings, or goes on with others") {
-    SimulationThread thread{Simulation(sheet())};
+    SimulationThread thread{Simulation(small_sheet())};
     thread.ask_batches(5);
     const Moment before = newest_of(thread);
-    thread.apply(sheet(16, 10), 1);
+    thread.apply(small_sheet(16, 10), 1);
     thread.ask_batches(5);
     CHECK(newest_of(thread).snapshot.position.columns() == 16);
     const KeptMomentPtr first = thread.kept([](const Timeline& kept) { return kept.nearest(3.0 / 60.0); });
     thread.go_on_from(first, first->run->scene(), 2);
     thread.ask_batches(2);
     CHECK(same_picture(newest_of(thread).snapshot, before.snapshot));
-    Scene stiffer = sheet();
+    Scene stiffer = small_sheet();
     stiffer.springs->stiffness *= 1.5;
     thread.go_on_from(first, stiffer, 3);
     thread.ask_batches(2);
@@ -296,7 +288,7 @@ TEST_CASE("a kept moment of another grid comes back with its settings, or goes o
 }
 
 TEST_CASE("parts of batches make up the flight that whole batches are") {
-    SimulationThread whole{Simulation(sheet())}, parts{Simulation(sheet())};
+    SimulationThread whole{Simulation(small_sheet())}, parts{Simulation(small_sheet())};
     whole.ask_batches(3);
     const Moment end = newest_of(whole);
     REQUIRE(end.steps_per_batch > 3);

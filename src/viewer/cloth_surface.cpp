@@ -9,9 +9,7 @@ ClothSurface::ClothSurface()
     : places_(make_texture()),
       normals_(make_texture()),
       target_(make_framebuffer()),
-      triangles_(make_vertex_array()),
       nothing_(make_vertex_array()),
-      indices_(make_buffer()),
       most_points_(drawn_by_llvmpipe() ? 120 : 240) {
     for (const GLuint id : {places_.id(), normals_.id()}) {
         glBindTexture(GL_TEXTURE_2D, id);
@@ -24,8 +22,11 @@ ClothSurface::ClothSurface()
 ClothMesh ClothSurface::follow(const GridTextures& grid, glm::vec2 cell, bool bare) {
     const glm::ivec2 masses(grid.columns(), grid.rows());
     const glm::ivec2 pieces = pieces_of_cell(masses, cell, most_points_);
-    if (bare || grid.index_count() == 0 || pieces == glm::ivec2(1))
-        return {.triangles = grid.triangles(), .index_count = grid.index_count(), .points = masses, .smooth = false};
+    if (bare || grid.triangles().index_count() == 0 || pieces == glm::ivec2(1))
+        return {.triangles = grid.triangles().array(),
+                .index_count = grid.triangles().index_count(),
+                .points = masses,
+                .smooth = false};
 
     glActiveTexture(GL_TEXTURE5);
     const glm::ivec2 points = (masses - 1) * pieces + 1;
@@ -45,7 +46,7 @@ ClothMesh ClothSurface::follow(const GridTextures& grid, glm::vec2 cell, bool ba
         glActiveTexture(unit++);
         glBindTexture(GL_TEXTURE_2D, id);
     }
-    return {.triangles = triangles_.id(), .index_count = index_count_, .points = points, .smooth = true};
+    return {.triangles = triangles_.array(), .index_count = triangles_.index_count(), .points = points, .smooth = true};
 }
 
 void ClothSurface::allocate(glm::ivec2 points) {
@@ -60,13 +61,7 @@ void ClothSurface::allocate(glm::ivec2 points) {
     const GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     glDrawBuffers(2, both);
 
-    const auto indices = triangles_between(points.x, points.y);
-    index_count_ = int(indices.size());
-    glBindVertexArray(triangles_.id());
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(indices[0])), indices.data(),
-                 GL_STATIC_DRAW);
-    glBindVertexArray(0);
+    triangles_.span(points.x, points.y);
 }
 
 }  // namespace drapeau

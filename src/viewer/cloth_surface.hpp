@@ -6,6 +6,7 @@
 
 #include "gl_objects.hpp"
 #include "grid_textures.hpp"
+#include "grid_triangles.hpp"
 #include "shader.hpp"
 
 #include <glm/vec2.hpp>
@@ -34,11 +35,10 @@ private:
     Shader shader_{"whole_target", "cloth_surface"};
     GlTexture places_, normals_;
     GlFramebuffer target_;
-    GlVertexArray triangles_, nothing_;
-    GlBuffer indices_;
+    GridTriangles triangles_;
+    GlVertexArray nothing_;
     int most_points_;  // along the longer side
     glm::ivec2 points_{0};
-    int index_count_ = 0;
 };
 
 }  // namespace drapeau

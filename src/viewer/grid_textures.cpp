@@ -1,15 +1,8 @@
 #include "grid_textures.hpp"
 
-#include "cloth_mesh.hpp"
-
 namespace drapeau {
 
-GridTextures::GridTextures()
-    : x_(make_texture()),
-      y_(make_texture()),
-      z_(make_texture()),
-      triangles_(make_vertex_array()),
-      indices_(make_buffer()) {
+GridTextures::GridTextures() : x_(make_texture()), y_(make_texture()), z_(make_texture()) {
     for (const GLuint id : {x_.id(), y_.id(), z_.id()}) {
         glBindTexture(GL_TEXTURE_2D, id);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -39,13 +32,7 @@ void GridTextures::allocate(const Snapshot& snapshot) {
         glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, stride_, rows_, 0, GL_RED, GL_FLOAT, nullptr);
     }
 
-    const auto indices = triangles_between(columns_, rows_);
-    index_count_ = int(indices.size());
-    glBindVertexArray(triangles_.id());
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(indices[0])), indices.data(),
-                 GL_STATIC_DRAW);
-    glBindVertexArray(0);
+    triangles_.span(columns_, rows_);
 }
 
 void GridTextures::bind() const {

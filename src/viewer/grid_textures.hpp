@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gl_objects.hpp"
+#include "grid_triangles.hpp"
 #include "run/simulation.hpp"
 
 namespace drapeau {
@@ -16,16 +17,14 @@ public:
 
     int columns() const { return columns_; }
     int rows() const { return rows_; }
-    int index_count() const { return index_count_; }
-    GLuint triangles() const { return triangles_.id(); }  // a vertex array whose elements are row * columns + column
+    const GridTriangles& triangles() const { return triangles_; }
 
 private:
     void allocate(const Snapshot& snapshot);
 
     GlTexture x_, y_, z_;
-    GlVertexArray triangles_;
-    GlBuffer indices_;
-    int columns_ = 0, rows_ = 0, stride_ = 0, index_count_ = 0;
+    GridTriangles triangles_;
+    int columns_ = 0, rows_ = 0, stride_ = 0;
 };
 
 }  // namespace drapeau

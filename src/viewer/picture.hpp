@@ -17,18 +17,24 @@ struct Rod {
     glm::vec3 from{0.0f}, to{0.0f};
     float radius = 0.02f;   // m
     glm::vec3 color{0.5f};  // linear
+
+    bool operator==(const Rod&) const = default;
 };
 
 struct Ball {
     glm::vec3 centre{0.0f};
     float radius = 0.04f;  // m
     glm::vec3 color{0.5f};
+
+    bool operator==(const Ball&) const = default;
 };
 
 /// A disc on the ground that a post stands on.
 struct Base {
     glm::vec2 place{0.0f};  // x and z
     float radius = 0.2f;    // m
+
+    bool operator==(const Base&) const = default;
 };
 
 /// What holds the flag and what it stands on.
@@ -40,6 +46,8 @@ struct Stage {
     bool ground = true;
     float ground_height = -2.0f;      // m
     glm::vec3 low{0.0f}, high{0.0f};  // a box around what may cast a shadow
+
+    bool operator==(const Stage&) const = default;
 };
 
 /// Springs of one kind.
@@ -77,6 +85,8 @@ struct Picture {
     float pixel_scale = 1.0f;    // pixels of the picture per unit of line width
     Stage stage;
     Background background = Background::sky;
+
+    bool operator==(const Picture&) const = default;
 };
 
 }  // namespace drapeau

@@ -29,6 +29,7 @@ void RenderTarget::resize(int width, int height) {
 }
 
 void RenderTarget::allocate() {
+    contents_.reset();
     scene_ = make_framebuffer();
     shown_ = make_framebuffer();
     scene_color_ = make_renderbuffer();
@@ -54,7 +55,8 @@ void RenderTarget::allocate() {
                          " pixels is more than this machine's graphics can draw");
 }
 
-void RenderTarget::begin_scene() {
+void RenderTarget::begin_scene(Contents contents) {
+    contents_ = std::move(contents);
     glBindFramebuffer(GL_FRAMEBUFFER, scene_.id());
     glViewport(0, 0, width_, height_);
     glEnable(GL_FRAMEBUFFER_SRGB);

@@ -1,6 +1,20 @@
 #include "renderer.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace drapeau {
+
+namespace {
+
+bool same(const FieldBuffer<float>& a, const FieldBuffer<float>& b) {
+    if (a.columns() != b.columns() || a.rows() != b.rows()) return false;
+    for (int c = 0; c < 3; ++c)
+        if (!std::equal(a.component(c).begin(), a.component(c).end(), b.component(c).begin())) return false;
+    return true;
+}
+
+}  // namespace
 
 Renderer::Renderer() : block_(make_buffer()) {
     glBindBuffer(GL_UNIFORM_BUFFER, block_.id());
@@ -14,12 +28,34 @@ void Renderer::send(const FrameBlock& block) {
 }
 
 void Renderer::upload(const Snapshot& snapshot) {
+    if (same(position_, snapshot.position)) return;
+    position_ = snapshot.position;
     grid_.upload(snapshot);
     sun_view_ = sun_view_of(snapshot.position);
+    ++shapes_;
 }
 
-void Renderer::draw_shadow(const Picture& picture, glm::vec2 size) {
-    send(frame_block(picture, size, sun_view_, sun_map_.side()));
+void Renderer::upload_reference(const Snapshot& snapshot) {
+    reference_.upload(snapshot);
+    ++shapes_;
+}
+
+bool Renderer::wear(std::optional<Image> image) {
+    image ? texture_.load(std::move(*image)) : texture_.clear();
+    ++shapes_;
+    return texture_.has_holes();
+}
+
+void Renderer::draw(const Picture& picture, RenderTarget& target) {
+    const RenderTarget::Contents contents{picture, shapes_};
+    if (target.holds(contents)) return;
+    send(frame_block(picture, {target.width(), target.height()}, sun_view_, sun_map_.side()));
+    draw_shadow(picture);
+    target.begin_scene(contents);
+    draw_scene(picture);
+}
+
+void Renderer::draw_shadow(const Picture& picture) {
     grid_.bind();
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
@@ -36,8 +72,7 @@ void Renderer::draw_shadow(const Picture& picture, glm::vec2 size) {
     backdrop_.end_shadow();
 }
 
-void Renderer::draw_scene(const Picture& picture, glm::vec2 size) {
-    send(frame_block(picture, size, sun_view_, sun_map_.side()));
+void Renderer::draw_scene(const Picture& picture) {
     grid_.bind();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);

@@ -10,10 +10,13 @@
 #include "mass_pass.hpp"
 #include "person_pass.hpp"
 #include "picture.hpp"
+#include "render_target.hpp"
 #include "solid_pass.hpp"
 #include "spring_pass.hpp"
 #include "studio_pass.hpp"
 #include "sun_map.hpp"
+
+#include <optional>
 
 namespace drapeau {
 
@@ -22,17 +25,19 @@ public:
     Renderer();
 
     void upload(const Snapshot& snapshot);
-    void upload_reference(const Snapshot& snapshot) { reference_.upload(snapshot); }
-    FlagTexture& texture() { return texture_; }
+    void upload_reference(const Snapshot& snapshot);
+    /// Whether the image has holes.
+    bool wear(std::optional<Image> image);
 
-    /// The smooth surface and the shadows, drawn before the scene; leaves another framebuffer bound.
-    void draw_shadow(const Picture& picture, glm::vec2 size);
-    void draw_scene(const Picture& picture, glm::vec2 size);
+    /// Draws into the target, unless it holds this picture of these masses already.
+    void draw(const Picture& picture, RenderTarget& target);
     /// Under a picture whose background is transparent, for the eye alone.
     void draw_checkerboard(float side) const { studio_.draw_checkerboard(side); }
 
 private:
     void send(const FrameBlock& block);
+    void draw_shadow(const Picture& picture);  // and the smooth surface
+    void draw_scene(const Picture& picture);
     void draw_background(const Picture& picture) const;
 
     GlBuffer block_;
@@ -49,6 +54,8 @@ private:
     PersonPass person_;
     BackdropPass backdrop_;
     StudioPass studio_;
+    FieldBuffer<float> position_;  // that was uploaded
+    long long shapes_ = 0;         // counts what was uploaded and worn
 };
 
 }  // namespace drapeau

@@ -103,16 +103,12 @@ void Viewer::adopt(LoadedScene loaded) {
 void Viewer::set_image(const std::filesystem::path& file, std::optional<Image> image) {
     stop_film("The film was stopped: another image or scene was opened; nothing is left of it.");
     app_.status.flag_proportions = image ? double(image->width) / double(image->height) : 0.0;
-    if (image)
-        renderer_.texture().load(std::move(*image));
-    else
-        renderer_.texture().clear();
+    app_.status.image_has_holes = renderer_.wear(std::move(image));
     close_if(app_.message, Message::Cause::image);
     app_.texture_file = file;
     const auto& shipped = app_.texture_files;
     if (!file.empty() && std::find(shipped.begin(), shipped.end(), file) == shipped.end())
         remember_file(app_.remembered.recent_images, file);
-    app_.status.image_has_holes = renderer_.texture().has_holes();
 }
 
 }  // namespace drapeau

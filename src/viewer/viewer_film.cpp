@@ -68,13 +68,9 @@ void Viewer::film_frame() {
     if (!filming_) return;
     const auto frame = filming_->recording.take();
     if (!frame) return;
-    const Picture shown = filming_->picture(*frame);
     RenderTarget& target = filming_->target;
-    const glm::vec2 pixels(float(target.width()), float(target.height()));
     renderer_.upload(frame->snapshot);
-    renderer_.draw_shadow(shown, pixels);
-    target.begin_scene();
-    renderer_.draw_scene(shown, pixels);
+    renderer_.draw(filming_->picture(*frame), target);
     target.begin_panels();
     filming_->recording.add(target.read(filming_->recording.plan().transparent));
     renderer_.upload(moment_.snapshot);

@@ -90,13 +90,7 @@ void Viewer::draw() {
     if (flag.attach == Attach::none && !moment_.scene.limits.get<Ground>())
         framing_.centre = middle_of(moment_.snapshot.position);
     film_frame();
-    if (!picture_wanted()) return;
-
-    const glm::vec2 pixels(float(target_.width()), float(target_.height()));
-    const Picture shown = picture();
-    renderer_.draw_shadow(shown, pixels);
-    target_.begin_scene();
-    renderer_.draw_scene(shown, pixels);
+    if (picture_wanted()) renderer_.draw(picture(), target_);
 }
 
 void Viewer::panels() {

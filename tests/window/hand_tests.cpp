@@ -1,7 +1,7 @@
 // What the mouse does to the cloth and to the wind: pulling, reading, and the views that go with it.
 #include "app.hpp"
 #include "pixels.hpp"
-#include "scenes.hpp"
+#include "still_flag.hpp"
 
 #include "catch.hpp"
 
@@ -11,12 +11,6 @@
 using namespace drapeau::window_tests;
 
 namespace {
-
-struct StillFlag {
-    Screen screen;
-    TemporaryFolder folder;
-    App app{screen, {written(folder, "still.toml", still_scene), "--size", "900x640"}};
-};
 
 struct Report {
     Screen screen;

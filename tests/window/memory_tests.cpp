@@ -1,7 +1,7 @@
 // What the window remembers: settings to go back to, files saved elsewhere, what is kept between runs; and how all of
 // it is found.
 #include "app.hpp"
-#include "scenes.hpp"
+#include "still_flag.hpp"
 
 #include "catch.hpp"
 
@@ -12,12 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct StillFlag {
-    Screen screen;
-    TemporaryFolder folder;
-    std::string file = written(folder, "still.toml", still_scene);
-    App app{screen, {file, "--size", "900x640"}};
-
+struct MemoryOfStillFlag : StillFlag {
     void wait_for(const std::string& state, const std::string& part) {
         app.wait_until("'" + part + "' in " + state, [&](const Look& look) {
             return part.empty() ? look.text(state).empty() : look.text(state).find(part) != std::string::npos;
@@ -50,7 +45,7 @@ void quit(App& app, const Screen& screen) {
 
 }  // namespace
 
-TEST_CASE_METHOD(StillFlag, "settings are undone and redone by keys and buttons") {
+TEST_CASE_METHOD(MemoryOfStillFlag, "settings are undone and redone by keys and buttons") {
     const Box columns = app.look().controls.at("Columns").box;
     app.drag(columns.at(0.1, 0.5), columns.at(0.3, 0.5));
     const double dragged =
@@ -86,7 +81,7 @@ TEST_CASE_METHOD(StillFlag, "settings are undone and redone by keys and buttons"
     app.check_healthy();
 }
 
-TEST_CASE_METHOD(StillFlag, "an image is undone too") {
+TEST_CASE_METHOD(MemoryOfStillFlag, "an image is undone too") {
     const std::string before = app.look().text("texture");
     app.show("Image file");
     app.type("Image file", "japan");
@@ -99,7 +94,7 @@ TEST_CASE_METHOD(StillFlag, "an image is undone too") {
     app.check_healthy();
 }
 
-TEST_CASE_METHOD(StillFlag,
+TEST_CASE_METHOD(MemoryOfStillFlag,
                  "a scene file that is saved elsewhere takes effect, a broken one is told and harms nothing") {
     app.wheel(app.look().box("view").at(0.5, 0.5), 2);
     const std::string camera = app.settle().text("distance");
@@ -139,7 +134,7 @@ TEST_CASE_METHOD(StillFlag,
     app.check_healthy();
 }
 
-TEST_CASE_METHOD(StillFlag, "the palette finds a setting and turns to it, and carries out an action") {
+TEST_CASE_METHOD(MemoryOfStillFlag, "the palette finds a setting and turns to it, and carries out an action") {
     app.press("h");
     app.wait_until("no panel", [](const Look& look) { return look.text("panel").empty(); });
     app.press("ctrl+p");
@@ -181,7 +176,7 @@ TEST_CASE_METHOD(StillFlag, "the palette finds a setting and turns to it, and ca
     app.check_healthy();
 }
 
-TEST_CASE_METHOD(StillFlag, "a scene is copied as text and pasted, and what is no scene is refused in a line") {
+TEST_CASE_METHOD(MemoryOfStillFlag, "a scene is copied as text and pasted, and what is no scene is refused in a line") {
     app.press("ctrl+c");
     wait_for("message", "Copied");
     app.type_number("Columns", "12");

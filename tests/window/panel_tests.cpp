@@ -1,7 +1,7 @@
 // What the panel's controls set, and what becomes of input that is wrong.
 #include "app.hpp"
 #include "pixels.hpp"
-#include "scenes.hpp"
+#include "still_flag.hpp"
 
 #include "catch.hpp"
 #include "scene/file.hpp"
@@ -11,11 +11,7 @@ using namespace drapeau::window_tests;
 
 namespace {
 
-struct StillFlag {
-    Screen screen;
-    TemporaryFolder folder;
-    App app{screen, {written(folder, "still.toml", still_scene), "--size", "900x640"}};
-
+struct SettingsOfStillFlag : StillFlag {
     /// The flag below the message box.
     Box clear_of_messages() {
         const Box flag = app.settle().box("flag");
@@ -96,7 +92,7 @@ TEST_CASE("every setting of a scene has its control") {
     });
 }
 
-TEST_CASE_METHOD(StillFlag, "a broken image gives a message and leaves the flag as it was") {
+TEST_CASE_METHOD(SettingsOfStillFlag, "a broken image gives a message and leaves the flag as it was") {
     const std::string whole = read_text(flag_file("france.png"));
     std::filesystem::create_directory(folder / "folder.png");
     const std::vector<std::string> bad{
@@ -110,10 +106,10 @@ TEST_CASE_METHOD(StillFlag, "a broken image gives a message and leaves the flag 
     const Box box = clear_of_messages();
     const drapeau::Image before = app.picture();
     const std::string texture = app.look().text("texture");
-    for (const std::string& file : bad) {
-        CAPTURE(file);
-        app.type("Image file", file);
-        const std::string name = std::filesystem::path(file).filename().string();
+    for (const std::string& broken : bad) {
+        CAPTURE(broken);
+        app.type("Image file", broken);
+        const std::string name = std::filesystem::path(broken).filename().string();
         app.wait_until("a message about " + name,
                        [&name](const Look& look) { return look.text("message").find(name) != std::string::npos; });
         CHECK(app.look().text("texture") == texture);
@@ -124,7 +120,7 @@ TEST_CASE_METHOD(StillFlag, "a broken image gives a message and leaves the flag 
     app.check_healthy();
 }
 
-TEST_CASE_METHOD(StillFlag, "a broken scene gives a message and leaves the flag as it was") {
+TEST_CASE_METHOD(SettingsOfStillFlag, "a broken scene gives a message and leaves the flag as it was") {
     const std::vector<std::string> bad{
         folder / "missing.toml",
         written(folder, "nothing.toml", ""),
@@ -136,10 +132,10 @@ TEST_CASE_METHOD(StillFlag, "a broken scene gives a message and leaves the flag 
     app.show("Scene file");
     app.wait_until("the page", [](const Look& look) { return look.has("Scene file"); });
     const drapeau::Image before = app.picture();
-    for (const std::string& file : bad) {
-        CAPTURE(file);
-        app.type("Scene file", file);
-        const std::string name = std::filesystem::path(file).filename().string();
+    for (const std::string& broken : bad) {
+        CAPTURE(broken);
+        app.type("Scene file", broken);
+        const std::string name = std::filesystem::path(broken).filename().string();
         app.wait_until("a message about " + name,
                        [&name](const Look& look) { return look.text("message").find(name) != std::string::npos; });
         const Look look = app.look();
@@ -157,7 +153,7 @@ TEST_CASE_METHOD(StillFlag, "a broken scene gives a message and leaves the flag 
     app.check_healthy();
 }
 
-TEST_CASE_METHOD(StillFlag, "a path in a field means what it seems to mean") {
+TEST_CASE_METHOD(SettingsOfStillFlag, "a path in a field means what it seems to mean") {
     app.click("Page: Time");
     app.show("Save as");
     app.type("Save as", "'~/t1' ");
@@ -185,7 +181,7 @@ TEST_CASE_METHOD(StillFlag, "a path in a field means what it seems to mean") {
     app.check_healthy();
 }
 
-TEST_CASE_METHOD(StillFlag, "an image file lies on the flag the right way up and the right way round") {
+TEST_CASE_METHOD(SettingsOfStillFlag, "an image file lies on the flag the right way up and the right way round") {
     app.show("Image file");
     app.type("Image file", flag_file("test-pattern.png"));
     const Look look = app.wait_until("the test pattern", [](const Look& now) {
@@ -207,7 +203,8 @@ TEST_CASE_METHOD(StillFlag, "an image file lies on the flag the right way up and
     app.check_healthy();
 }
 
-TEST_CASE_METHOD(StillFlag, "the list of images changes the flag, and the flag takes its proportions if wished") {
+TEST_CASE_METHOD(SettingsOfStillFlag,
+                 "the list of images changes the flag, and the flag takes its proportions if wished") {
     app.show("Image");
     app.click("Image");
     app.wait_until("the list", [](const Look& look) { return look.has("Image: germany"); });
@@ -236,7 +233,7 @@ TEST_CASE_METHOD(StillFlag, "the list of images changes the flag, and the flag t
     app.check_healthy();
 }
 
-TEST_CASE_METHOD(StillFlag, "dragging a slider sets the grid and does not turn the flag") {
+TEST_CASE_METHOD(SettingsOfStillFlag, "dragging a slider sets the grid and does not turn the flag") {
     const Look before = app.settle();
     const Box slider = before.controls.at("Columns").box;
     app.drag(slider.at(0.3, 0.5), before.box("view").at(0.5, 0.5));
@@ -247,7 +244,7 @@ TEST_CASE_METHOD(StillFlag, "dragging a slider sets the grid and does not turn t
     app.check_healthy();
 }
 
-TEST_CASE_METHOD(StillFlag, "a slider's end in per cent is saved as that share") {
+TEST_CASE_METHOD(SettingsOfStillFlag, "a slider's end in per cent is saved as that share") {
     app.show("Prestretch");
     const Box slider = app.look().controls.at("Prestretch").box;
     app.drag(slider.at(0.1, 0.5), {slider.x1 + 40.0, slider.at(0.1, 0.5).y});
@@ -262,7 +259,7 @@ TEST_CASE_METHOD(StillFlag, "a slider's end in per cent is saved as that share")
     app.check_healthy();
 }
 
-TEST_CASE_METHOD(StillFlag, "a number may be typed with a decimal comma") {
+TEST_CASE_METHOD(SettingsOfStillFlag, "a number may be typed with a decimal comma") {
     app.show("Width");
     app.type_number("Width", "0,75");
     app.wait_until("the width", [](const Look& look) { return look.controls.at("Width").value == "0.75"; });

@@ -1,7 +1,7 @@
 // What the mouse and the window's edges do to the view.
 #include "app.hpp"
 #include "pixels.hpp"
-#include "scenes.hpp"
+#include "still_flag.hpp"
 
 #include "catch.hpp"
 
@@ -11,13 +11,6 @@
 using namespace drapeau::window_tests;
 
 namespace {
-
-/// A window on the still flag; what the mouse does is all that can change the picture.
-struct StillFlag {
-    Screen screen;
-    TemporaryFolder folder;
-    App app{screen, {written(folder, "still.toml", still_scene), "--size", "900x640"}};
-};
 
 /// A place on the panel where there is no control.
 Point bare_place(const Look& look) {

@@ -1,7 +1,7 @@
 // What the switches of the view show, looked for where it must appear.
 #include "app.hpp"
 #include "pixels.hpp"
-#include "scenes.hpp"
+#include "still_flag.hpp"
 
 #include "catch.hpp"
 
@@ -13,11 +13,7 @@ using namespace drapeau::window_tests;
 
 namespace {
 
-struct StillFlag {
-    Screen screen;
-    TemporaryFolder folder;
-    App app{screen, {written(folder, "still.toml", still_scene), "--size", "900x640"}};
-
+struct ViewOfStillFlag : StillFlag {
     /// Around the flag, with room for the lines of its border.
     Box around_flag() {
         const Box flag = app.settle().box("flag");
@@ -56,7 +52,7 @@ double redness(const drapeau::Image& picture, const Mask& lines, const Box& box,
 
 }  // namespace
 
-TEST_CASE_METHOD(StillFlag, "springs outline every cell, and diagonals divide each into four") {
+TEST_CASE_METHOD(ViewOfStillFlag, "springs outline every cell, and diagonals divide each into four") {
     app.set("Texture", false);
     const Box box = around_flag();
     const drapeau::Image plain = app.picture();
@@ -75,7 +71,7 @@ TEST_CASE_METHOD(StillFlag, "springs outline every cell, and diagonals divide ea
     app.check_healthy();
 }
 
-TEST_CASE_METHOD(StillFlag, "the texture puts its colours in their places, and without it the cloth is plain") {
+TEST_CASE_METHOD(ViewOfStillFlag, "the texture puts its colours in their places, and without it the cloth is plain") {
     const Box flag = app.settle().box("flag");
     const Thirds france = thirds(app.picture(), flag);
     CHECK(france.left.blue > france.left.red + 30);
@@ -139,7 +135,7 @@ TEST_CASE("force colours are redder where springs carry more, with a legend in n
     app.check_healthy();
 }
 
-TEST_CASE_METHOD(StillFlag, "every key of the view does what its switch does") {
+TEST_CASE_METHOD(ViewOfStillFlag, "every key of the view does what its switch does") {
     app.click("Page: View");
     for (const auto& [key, label] : {std::pair{"t", "Texture"}, std::pair{"s", "Springs"}, std::pair{"d", "Diagonals"},
                                      std::pair{"f", "Force colours"}, std::pair{"m", "Masses"}, std::pair{"c", "Cloth"},
