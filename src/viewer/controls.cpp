@@ -14,6 +14,7 @@ namespace drapeau {
 namespace {
 
 constexpr double double_click_seconds = 0.4;
+constexpr double slow_double_click_seconds = 1.0;  // where a slow picture alone lies between
 constexpr float double_click_pixels = 6.0f;
 constexpr float click_pixels = 4.0f;  // a hand that clicks moves by less
 
@@ -29,6 +30,7 @@ void load_dropped(const std::string& file, AppState& app) {
 void Controls::apply(const std::vector<InputEvent>& events, const Claims& claims, const Framing& framing, AppState& app,
                      Camera& camera) {
     using Kind = InputEvent::Kind;
+    ++frame_;
     carry_out(std::exchange(app.palette.wanted, nullptr), app, camera);
     for (std::size_t i = 0; i < events.size(); ++i) {
         const InputEvent& event = events[i];
@@ -74,9 +76,21 @@ void Controls::apply(const std::vector<InputEvent>& events, const Claims& claims
 void Controls::press(const InputEvent& event, bool claimed, AppState& app) {
     if (drag_ == Drag::pull) app.hand.let_go();
     drag_ = Drag::none;
-    if (claimed) return;
-    last_ = event.at;
     still_ = false;
+    const bool left = event.button == MouseButton::left;
+    // The readout that the first of two clicks opens may lie under the second.
+    if (left && !event.shift && is_second_of_two(event)) {
+        pressed_time_ = -1e6;
+        app.commands.reset_camera = true;
+        app.hand.take_click();
+        app.readout.close();
+    } else if (!claimed) {
+        begin_drag(event, app);
+    }
+}
+
+void Controls::begin_drag(const InputEvent& event, AppState& app) {
+    last_ = event.at;
     if (event.button == MouseButton::left && event.shift) {
         drag_ = Drag::pull;
         return app.hand.take_hold(event.at);
@@ -84,12 +98,16 @@ void Controls::press(const InputEvent& event, bool claimed, AppState& app) {
     if (event.button == MouseButton::right || event.button == MouseButton::middle) drag_ = Drag::slide;
     if (event.button != MouseButton::left) return;
     drag_ = Drag::turn;
-    const bool twice =
-        event.time - pressed_time_ < double_click_seconds && glm::length(event.at - pressed_at_) < double_click_pixels;
-    if (twice) app.commands.reset_camera = true;
-    pressed_time_ = twice ? -1e6 : event.time;
+    pressed_time_ = event.time;
+    pressed_frame_ = frame_;
     pressed_at_ = event.at;
-    still_ = !twice;
+    still_ = true;
+}
+
+bool Controls::is_second_of_two(const InputEvent& event) const {
+    const bool slow = frame_ - pressed_frame_ <= 1;  // events are timed once a frame, when they are asked for
+    return event.time - pressed_time_ < (slow ? slow_double_click_seconds : double_click_seconds) &&
+           glm::length(event.at - pressed_at_) < double_click_pixels;
 }
 
 // The window system releases what is down where the window loses the keyboard, and tells of a release beside it.

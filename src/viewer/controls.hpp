@@ -27,14 +27,18 @@ private:
     enum class Drag { none, turn, slide, pull };
 
     void press(const InputEvent& event, bool claimed, AppState& app);
+    void begin_drag(const InputEvent& event, AppState& app);
+    bool is_second_of_two(const InputEvent& event) const;
     void carry_out(const Action* action, AppState& app, Camera& camera);
     void release(const InputEvent& event, AppState& app);
 
     Drag drag_ = Drag::none;
     glm::vec2 last_{0.0f};  // the mouse, at the last event of the drag
+    // The last press that began to turn the flag.
     glm::vec2 pressed_at_{-1e6f};
-    bool still_ = false;          // the mouse has not moved since then
     double pressed_time_ = -1e6;  // s
+    long long frame_ = 0, pressed_frame_ = -2;
+    bool still_ = false;  // the mouse has not moved since then
     bool quit_ = false;
 };
 

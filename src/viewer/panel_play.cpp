@@ -68,7 +68,11 @@ void draw_play(AppState& app, Widgets& widgets) {
                        app.paused && !app.playback.backwards ? "Go on###pause" : "Pause###pause"))
         app.paused = !app.paused;
     ImGui::SameLine();
-    if (widgets.button("Step", "Takes one step of the method while paused. Key .", quarter)) app.commands.step = true;
+    if (widgets.button(
+            "Step",
+            "Takes one step of the method while paused, from the moment shown: what came after it is dropped. Key .",
+            quarter))
+        app.commands.step = true;
     ImGui::SameLine();
     if (widgets.button("Restart", "Begins again at the scene's start, with the current settings. Key R", quarter))
         app.commands.restart = true;

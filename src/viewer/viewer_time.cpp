@@ -106,8 +106,8 @@ void Viewer::play_backwards(double seconds) {
     picture_changed_ = true;
 }
 
-/// What was asked of time since the last frame. A moment that is looked at is left by going on, by a setting or by a
-/// restart.
+/// What was asked of time since the last frame. A moment that is looked at is left by going on, by a step of the
+/// method, by a setting or by a restart.
 void Viewer::travel(double passed) {
     Playback& play = app_.playback;
     const Travel asked = std::exchange(app_.commands.travel, {});
@@ -132,13 +132,8 @@ void Viewer::travel(double passed) {
     else if (asked.to)
         look_at(simulation_.kept([&](const Timeline& t) { return t.nearest(*asked.to); }));
     if (asked.frames || asked.seconds) step_to(shown_time() + asked.frames * a_frame + asked.seconds);
-    if (play.shown && std::exchange(app_.commands.step, false)) {
-        const double now = shown_time();
-        const KeptMomentPtr next = simulation_.kept([&](const Timeline& t) { return t.after(now); });
-        next && next->time() < newest_.snapshot.time - same_time ? look_at(next) : look_at_newest();
-    }
     if (play.backwards) play_backwards(passed);
-    if (play.shown && !app_.paused) go_on_from_shown();
+    if (play.shown && (!app_.paused || app_.commands.step)) go_on_from_shown();
 }
 
 /// Asks for as much simulated time as the speed makes of what passed.

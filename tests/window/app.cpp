@@ -187,7 +187,8 @@ void App::drag(Point from, Point to, Button button) {
 
 void App::wheel(Point p, int notches) {
     move_to(p);
-    for (int i = 0; i < std::abs(notches); ++i) screen_.xdotool({"click", notches > 0 ? "4" : "5"});
+    screen_.xdotool(
+        {"click", "--repeat", std::to_string(std::abs(notches)), "--delay", "1", notches > 0 ? "4" : "5"});
     settle();
 }
 
@@ -219,9 +220,9 @@ Control App::find(const std::string& label) {
 void App::show(const std::string& label) {
     settle();  // a page just opened lies where it stays only once it has been drawn
     const Point page = look().box("panel").at(0.5, 0.5);
-    for (int notches = 0; !look().has(label); ++notches) {
-        if (notches == 40) give_up("scrolling the page does not bring '" + label + "' into sight");
-        wheel(page, -1);
+    for (int turns = 0; !look().has(label); ++turns) {
+        if (turns == 40) give_up("scrolling the page does not bring '" + label + "' into sight");
+        wheel(page, -2);
     }
 }
 

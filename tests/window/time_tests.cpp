@@ -151,8 +151,13 @@ TEST_CASE("a second on and a second back, a step of the method, and backwards to
     CHECK(later.number("time") == Approx(begin + 1.0).margin(1e-5));
     CHECK(later.number("paused") == 1);
     CHECK(flight.after("period").number("steps") == later.number("steps") + 1);
+    // From a moment looked at a step goes on, too: what came after is dropped.
+    const Look looked_at = flight.after("comma", 3), stepped = flight.after("period");
+    CHECK(stepped.number("steps") == looked_at.number("steps") + 1);
+    CHECK(stepped.text("shown").empty());
+    CHECK(stepped.number("kept_to") == Approx(stepped.number("time")).margin(1e-6));
     const Look back = flight.after("Prior");
-    CHECK(back.number("time") == Approx(begin).margin(a_frame));
+    CHECK(back.number("time") == Approx(stepped.number("time") - 1.0).margin(a_frame));
     flight.app.click("Second");
     flight.rested();
     flight.app.press("bracketright");  // twice as fast

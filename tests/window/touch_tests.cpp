@@ -90,6 +90,7 @@ TEST_CASE_METHOD(StillFlag, "the wheel brings the flag nearer, a right drag move
                std::abs(look.number("azimuth") - before.number("azimuth")) < 1e-4 &&
                std::abs(look.number("target_x") - before.number("target_x")) < 1e-4;
     });
+    CHECK_FALSE(app.settle().has("Close readout"));  // which the first click alone would have opened
     app.check_healthy();
 }
 
