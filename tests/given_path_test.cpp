@@ -122,7 +122,7 @@ TEST_CASE("a folder does not hide what is shipped under its name") {
     CHECK(find_scene("storm") == assets_directory() / "scenes" / "storm.toml");
     CHECK(find_picture("japan") == assets_directory() / "flags" / "japan.png");
     CHECK(find_picture("japan.png") == assets_directory() / "flags" / "japan.png");
-    CHECK(find_texture("japan.png", home.path / "x.toml") == assets_directory() / "flags" / "japan.png");
+    CHECK(find_texture("japan.png", home.path / "x.toml", "x.toml") == assets_directory() / "flags" / "japan.png");
     CHECK(has(message_from([] { find_scene("t1"); }), "t1: a folder"));
     CHECK(has(message_from([] { find_picture("t1"); }), "t1: a folder"));
     home.write("t1.toml");
@@ -134,7 +134,7 @@ TEST_CASE("a name that nothing has is answered by the nearest that there is") {
     CHECK(has(message_from([] { find_scene("strom"); }), "did you mean storm?"));
     CHECK(has(message_from([] { find_picture("japn"); }), "japn: no such file or shipped image; did you mean japan?"));
     CHECK(has(message_from([] { find_picture("japn.png"); }), "did you mean japan.png?"));
-    CHECK(has(message_from([&] { find_texture("japn.png", home.path / "x.toml"); }), "did you mean japan.png?"));
+    CHECK(has(message_from([&] { find_texture("japn.png", home.path / "x.toml", "x.toml"); }), "did you mean japan.png?"));
 }
 
 TEST_CASE("what the system cannot look at is told in the system's words") {
@@ -143,7 +143,7 @@ TEST_CASE("what the system cannot look at is told in the system's words") {
     const std::string reason = "loop.toml: Too many levels of symbolic links";
     CHECK(message_from([] { find_scene("loop.toml"); }) == reason);
     CHECK(message_from([] { find_picture("loop.toml"); }) == reason);
-    CHECK(has(message_from([&] { find_texture("loop.toml", home.path / "x.toml"); }), "Too many levels"));
+    CHECK(has(message_from([&] { find_texture("loop.toml", home.path / "x.toml", "x.toml"); }), "Too many levels"));
     CHECK(has(message_from([] { find_scene(std::string(300, 'a')); }), "File name too long"));
     home.write("plain");
     CHECK(has(message_from([] { find_scene("plain/x.toml"); }), "plain/x.toml: no such file"));

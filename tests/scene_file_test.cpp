@@ -691,12 +691,18 @@ TEST_CASE("a scene is found by path or by its shipped name") {
 TEST_CASE("a texture lies beside the scene or among the flags") {
     const Folder folder;
     folder.write("france.png", "mine");
-    CHECK(find_texture("france.png", folder.path / "x.toml") == folder.path / "france.png");
-    CHECK(find_texture("japan.png", folder.path / "x.toml") == assets_directory() / "flags" / "japan.png");
-    const std::string none = message_from([&] { find_texture("none.png", folder.path / "x.toml"); });
-    CHECK(has(none, "none.png"));
-    CHECK(has(none, "japan.png"));
-    CHECK_THROWS_AS(find_texture("", folder.path / "x.toml"), InputError);
+    const fs::path scene = folder.write("x.toml", std::string(springs) + "[flag]\ncolumns = 4\ntexture = \"none.png\"\n");
+    const std::string place = place_of_texture(scene);
+    const auto found = [&](const std::string& texture) { return find_texture(texture, scene, place); };
+    CHECK(found("france.png") == folder.path / "france.png");
+    CHECK(found("japan.png") == assets_directory() / "flags" / "japan.png");
+    const auto line = 3 + std::count(springs.begin(), springs.end(), '\n');
+    const std::string told = scene.string() + ":" + std::to_string(line) + ": flag.texture = \"none.png\": neither";
+    CHECK(message_from([&] { found("none.png"); }).starts_with(told));
+    CHECK(has(message_from([&] { found("jpan.png"); }), "did you mean japan.png?"));
+    CHECK(message_from([&] { found("none.png"); }).size() < told.size() + 250);  // a few lines at most
+    CHECK_THROWS_AS(found(""), InputError);
+    CHECK(place_of_texture(folder.path / "nowhere.toml") == (folder.path / "nowhere.toml").string());
 }
 
 TEST_CASE("a value out of its range is said as it was given, one that was computed is rounded, with its unit") {
@@ -715,7 +721,7 @@ TEST_CASE("every shipped scene loads, finds its texture and runs a second within
         INFO(name);
         const fs::path file = find_scene(name);
         const Scene scene = read_scene(file);
-        if (!scene.flag.texture.empty()) CHECK(fs::exists(find_texture(scene.flag.texture, file)));
+        if (!scene.flag.texture.empty()) CHECK(fs::exists(find_texture(scene.flag.texture, file, name)));
 
         Simulation simulation(scene);
         for (int batch = 0; batch < 60; ++batch) {

@@ -11,7 +11,7 @@ Scene as_saved(const Scene& scene, const fs::path& from) {
     Scene saved = scene;
     if (std::string& texture = saved.flag.texture; !texture.empty()) {
         try {
-            const fs::path image = find_texture(texture, from);
+            const fs::path image = find_texture(texture, from, from.string());
             std::error_code failure;
             const bool is_shipped = fs::equivalent(image.parent_path(), assets_directory() / "flags", failure);
             texture = is_shipped ? image.filename().string() : fs::absolute(image).string();

@@ -5,6 +5,7 @@
 #include "scene/file.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace drapeau {
 
@@ -60,11 +61,15 @@ fs::path find(const Kind& kind, const std::string& name, const fs::path& beside)
     return {};
 }
 
+/// The names of shipped files, the first few where they are many.
 std::string list(const Kind& kind, bool with_endings) {
+    constexpr std::size_t most = 24;
+    const std::vector<fs::path> files = shipped(kind);
+    const std::size_t told = files.size() > most ? 8 : files.size();
     std::string text;
-    for (const fs::path& file : shipped(kind))
+    for (const fs::path& file : std::span(files).first(told))
         text += (text.empty() ? "" : ", ") + (with_endings ? file.filename() : file.stem()).string();
-    return text;
+    return told < files.size() ? text + " and " + std::to_string(files.size() - told) + " more" : text;
 }
 
 /// "did you mean japan? " of a shipped name, or nothing.
@@ -132,7 +137,7 @@ std::vector<fs::path> shipped_pictures() {
     return shipped(pictures);
 }
 
-fs::path find_texture(const std::string& texture, const fs::path& scene_file) {
+fs::path find_texture(const std::string& texture, const fs::path& scene_file, const std::string& place) {
     const std::string name = meant_path(texture);
     if (const fs::path file = find(pictures, name, scene_file.parent_path()); !file.empty()) return file;
     if (const fs::path lost = name; lost.is_absolute()) {  // moved together with the scene, it is where it was to it
@@ -143,7 +148,7 @@ fs::path find_texture(const std::string& texture, const fs::path& scene_file) {
     if (fault.empty())
         fault = "neither beside the scene nor in assets/flags; " + suggestion(pictures, name) +
                 "there: " + list(pictures, true);
-    throw InputError("texture " + one_line(in_quotes(texture), 300) + ": " + fault);
+    throw InputError(place + ": flag.texture = " + one_line(in_quotes(texture), 300) + ": " + fault);
 }
 
 }  // namespace drapeau

@@ -261,4 +261,16 @@ Scene parse_scene(std::string_view text, const std::string& origin, std::span<co
     return scene;
 }
 
+std::string place_of_texture(const std::filesystem::path& scene_file) {
+    const std::string name = one_line(scene_file.string(), 1000);
+    try {
+        const toml::table root = toml::parse(read_text_file(scene_file.string(), max_bytes), scene_file.string());
+        const auto texture = root["flag"]["texture"];
+        return texture ? name + ":" + std::to_string(texture.node()->source().begin.line) : name;
+    } catch (const InputError&) {
+    } catch (const toml::parse_error&) {
+    }
+    return name;
+}
+
 }  // namespace drapeau

@@ -64,8 +64,12 @@ std::vector<std::string> shipped_scenes();
 std::vector<std::filesystem::path> shipped_pictures();
 
 /// The image that `texture` of a scene read from `scene_file` means: beside the scene, then in assets/flags. Throws
-/// InputError.
-std::filesystem::path find_texture(const std::string& texture, const std::filesystem::path& scene_file);
+/// InputError, which begins with `place`, where the scene says so.
+std::filesystem::path find_texture(const std::string& texture, const std::filesystem::path& scene_file,
+                                   const std::string& place);
+
+/// Where a scene's file says its texture: "storm.toml:7"; "storm.toml" where it does not.
+std::string place_of_texture(const std::filesystem::path& scene_file);
 
 /// assets/ of the source or build tree, or of the installation (found from the program's own place, not the working
 /// directory).

@@ -20,7 +20,7 @@ LoadedScene load_scene(const std::string& path_or_name, std::span<const Assignme
     loaded.scene = read_scene(loaded.file, assignments);
     if (loaded.scene.flag.texture.empty()) return loaded;
     try {
-        const fs::path file = find_texture(loaded.scene.flag.texture, loaded.file);
+        const fs::path file = find_texture(loaded.scene.flag.texture, loaded.file, place_of_texture(loaded.file));
         loaded.image = load_image(file, stop);
         loaded.texture_file = file;
     } catch (const InputError& fault) {

@@ -110,7 +110,7 @@ private:
     void restore_image(const std::filesystem::path& file);
     std::vector<InputEvent> wait_for_events();  // or for a scene file that is saved elsewhere
     void reload_wanted();
-    void set_scene(Scene scene);
+    void set_scene(Scene scene, const std::string& place);
     void clipboard_wanted();
 
     Options options_;

@@ -161,10 +161,10 @@ void Viewer::reload_wanted() {
         Scene scene = read;
         if (read.view == app_.origin.view) scene.view = app_.scene.view;  // as it is looked at
         const bool differs = scene != app_.scene;
+        if (differs) set_scene(std::move(scene), place_of_texture(watch_.file()));
         app_.origin = read;
         close_if(app_.message, Message::Cause::scene);
         if (!differs) return;
-        set_scene(std::move(scene));
         const std::string text = watch_.file().filename().string() + " was saved: it is read again.";
         if (app_.message.cause != Message::Cause::image || app_.message.text.empty())
             say(app_, Message::Cause::scene, edited ? with_undo(text) : text, false);
@@ -173,22 +173,18 @@ void Viewer::reload_wanted() {
     }
 }
 
-/// The scene in place of the one that flies, which goes on where it is unless it is to start in another way.
-void Viewer::set_scene(Scene scene) {
-    note_changes();
-    if (!starts_alike(scene.flag, app_.scene.flag)) app_.commands.restart = true;
+/// The scene in place of the one that flies, which goes on where it is unless it is to start in another way. Throws
+/// InputError, beginning with `place`, and changes nothing where its image is not found.
+void Viewer::set_scene(Scene scene, const std::string& place) {
     const std::string texture = scene.flag.texture;
     const bool same_image = texture == app_.scene.flag.texture;
+    const fs::path image = same_image || texture.empty() ? fs::path() : find_texture(texture, app_.scene_file, place);
+    note_changes();
+    if (!starts_alike(scene.flag, app_.scene.flag)) app_.commands.restart = true;
     app_.scene = std::move(scene);
     app_.diagonals.reset();
     window_.set_title("drapeau \xe2\x80\x93 " + printable(app_.scene.name));
-    if (same_image) return;
-    try {
-        restore_image(texture.empty() ? fs::path() : find_texture(texture, app_.scene_file));
-    } catch (const InputError& wrong) {
-        restore_image({});
-        say(app_, Message::Cause::image, wrong.what(), true);
-    }
+    if (!same_image) restore_image(image);
 }
 
 void Viewer::clipboard_wanted() {
@@ -203,7 +199,7 @@ void Viewer::clipboard_wanted() {
         const char* text = ImGui::GetClipboardText();
         Scene scene = parse_scene(text ? text : "", "pasted text");
         const std::string name = scene.name;
-        set_scene(std::move(scene));
+        set_scene(std::move(scene), "pasted text");
         if (app_.message.cause != Message::Cause::image || app_.message.text.empty())
             say(app_, Message::Cause::scene, with_undo("Pasted: " + name + "."), false);
     } catch (const InputError& wrong) {

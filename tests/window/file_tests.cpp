@@ -14,7 +14,7 @@ namespace {
 struct FlyingFlag {
     Screen screen;
     TemporaryFolder folder;
-    App app{screen, {"report", "--size", "900x640"}};
+    App app{screen, without_cloth("report")};
 
     void wait_for_message(const std::string& part) {
         app.wait_until("a message with '" + part + "'",

@@ -109,6 +109,12 @@ TEST_CASE_METHOD(MemoryOfStillFlag,
     save_by_renaming(file, still_with("columns = 4", "columns = many"));
     wait_for("message", "still.toml:3:");
     CHECK(app.settle().number("columns") == 5);
+    // One whose image is not there changes nothing either.
+    const std::string texture = app.look().text("texture");
+    save_by_renaming(file, still_with("france.png", "lost.png"));
+    wait_for("message", "still.toml:9: flag.texture = \"lost.png\"");
+    CHECK(app.settle().number("columns") == 5);
+    CHECK(app.look().text("texture") == texture);
     write_text(file, "");
     save_by_renaming(file, still_with("columns = 4", "columns = 6"));
     wait_for_columns(6);

@@ -277,7 +277,7 @@ TEST_CASE_METHOD(SettingsOfStillFlag, "a number may be typed with a decimal comm
 
 TEST_CASE("choosing forward Euler says how slow it is and what helps, and the flag goes on as it was") {
     const Screen screen;
-    App app(screen, {"report", "--size", "900x800"});
+    App app(screen, without_cloth("report", "900x800"));
     app.click("Page: Time");
     choose(app, "Method", "forward-euler");
     const Look slow = app.wait_until("the remark", [](const Look& look) { return look.has("Reading: Slow"); });
@@ -289,7 +289,7 @@ TEST_CASE("choosing forward Euler says how slow it is and what helps, and the fl
 
 TEST_CASE("the clock stops, goes on by steps, and begins anew") {
     const Screen screen;
-    App app(screen, {"report", "--size", "900x640"});
+    App app(screen, without_cloth("report"));
     app.wait_until("time to pass", [](const Look& look) { return look.number("time") > 0.05; });
     app.press("space");
     const Look paused = app.wait_until("the pause", [](const Look& look) { return look.number("paused") == 1; });
@@ -327,7 +327,7 @@ TEST_CASE("a run that diverges stops on its last good frame and names a step tha
 TEST_CASE("a refusal is told once: closed while the flag plays it stays closed, and a later message takes its place") {
     const Screen screen;
     const TemporaryFolder folder;
-    App app(screen, {"report", "--size", "900x640"});
+    App app(screen, without_cloth("report"));
     const auto after_a_while = [&app] {
         const double now = app.look().number("time");
         return app.wait_until("time to pass", [now](const Look& look) { return look.number("time") > now + 0.3; });
@@ -396,7 +396,7 @@ TEST_CASE("the error of the run is shown, and a tolerance makes the step smaller
 TEST_CASE("springs become a fabric, which keeps its cells short on any grid and brings the values of its name") {
     const Screen screen;
     const TemporaryFolder folder;
-    App app(screen, {std::string(DRAPEAU_ASSETS) + "/scenes/linear-drag/breeze.toml", "--size", "1280x800"});
+    App app(screen, without_cloth(std::string(DRAPEAU_ASSETS) + "/scenes/linear-drag/breeze.toml", "1280x800"));
     const auto value = [&app](const std::string& label) { return app.look().controls.at(label).value; };
     app.click("Page: Springs");
     CHECK(value("Material") == "springs");
@@ -432,7 +432,7 @@ TEST_CASE("springs become a fabric, which keeps its cells short on any grid and 
 
 TEST_CASE("the stretch limit and travelling gusts are switched on, and the panel says what the limit achieved") {
     const Screen screen;
-    App app(screen, {"report", "--size", "900x640"});
+    App app(screen, without_cloth("report"));
     app.click("Page: Springs");
     app.show("Stretch limit on");
     app.click("Stretch limit on");
@@ -458,7 +458,7 @@ TEST_CASE("the stretch limit and travelling gusts are switched on, and the panel
 
 TEST_CASE("every method can be chosen by its name") {
     const Screen screen;
-    App app(screen, {"report", "--size", "900x640"});
+    App app(screen, without_cloth("report"));
     app.click("Page: Time");
     for (const std::string method : {"leapfrog", "rk4", "semi-implicit-euler"}) {
         CAPTURE(method);

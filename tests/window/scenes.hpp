@@ -4,6 +4,7 @@
 #include "process.hpp"
 
 #include <string>
+#include <vector>
 
 namespace drapeau::window_tests {
 
@@ -52,6 +53,11 @@ inline std::string diverging_scene() {
     std::string scene = hanging_scene;
     const std::string automatic = "dt = \"auto\"";
     return scene.replace(scene.find(automatic), automatic.size(), "dt = 0.0166");
+}
+
+/// What opens a scene for tests that look at the panel alone: its frames cost a processor little.
+inline std::vector<std::string> without_cloth(const std::string& scene, const std::string& size = "900x640") {
+    return {scene, "--size", size, "--set", "view.cloth=false"};
 }
 
 inline std::string written(const TemporaryFolder& folder, const std::string& name, const std::string& text) {
