@@ -38,6 +38,10 @@ struct Desk {
     }
 };
 
+Question question_about(const std::string& file) {
+    return question_before_overwriting("Overwrite it?", [file](AppState& app) { app.commands.overwrite = file; });
+}
+
 }  // namespace
 
 TEST_CASE("a left drag turns by its whole length, a right one slides, and neither goes on after the button is up") {
@@ -120,9 +124,9 @@ TEST_CASE("every key does one thing, and pressed again undoes it where it is a s
     desk.key(Key::home);
     CHECK(desk.app.commands.reset_camera);
     desk.type('q');
-    CHECK(!desk.controls.wants_to_quit());
+    CHECK(!desk.app.quits);
     desk.type('q', true);
-    CHECK(desk.controls.wants_to_quit());
+    CHECK(desk.app.quits);
 }
 
 TEST_CASE("a symbol acts whichever key types it, and never together with the key's letter or name") {
@@ -181,7 +185,7 @@ TEST_CASE("Escape closes a question first, then the list of keys, then the messa
     say(desk.app, Message::Cause::image, "anything", true);
     desk.key(Key::f1);
     CHECK(desk.app.help_shown);
-    desk.app.question = Question{"/tmp/a.toml", "Overwrite it?"};
+    desk.app.question = question_about("/tmp/a.toml");
     desk.key(Key::escape);
     CHECK(!desk.app.question);
     CHECK(!desk.app.commands.overwrite);
@@ -197,7 +201,7 @@ TEST_CASE("Enter agrees to what is asked, and does nothing where nothing is") {
     Desk desk;
     desk.key(Key::enter);
     CHECK(!desk.app.commands.overwrite);
-    desk.app.question = Question{"/tmp/a.toml", "Overwrite it?"};
+    desk.app.question = question_about("/tmp/a.toml");
     desk.claims.keyboard = true;  // a text is typed
     desk.key(Key::enter);
     CHECK(!desk.app.commands.overwrite);
@@ -205,6 +209,19 @@ TEST_CASE("Enter agrees to what is asked, and does nothing where nothing is") {
     desk.key(Key::enter);
     CHECK(desk.app.commands.overwrite == "/tmp/a.toml");
     CHECK(!desk.app.question);
+}
+
+TEST_CASE("quitting asks first while a film is being made") {
+    Desk desk;
+    desk.app.film.under_way = true;
+    desk.type('q', true);
+    CHECK(!desk.app.quits);
+    REQUIRE(desk.app.question);
+    desk.key(Key::escape);
+    CHECK(!desk.app.quits);
+    desk.type('q', true);
+    desk.key(Key::enter);
+    CHECK(desk.app.quits);
 }
 
 TEST_CASE("a dropped scene file is a scene, any other an image") {

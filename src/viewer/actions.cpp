@@ -149,7 +149,7 @@ std::vector<Action> all_actions() {
         {"quit",
          "Ctrl Q",
          {{.letter = 'q', .control = true}, {.letter = 'w', .control = true}},
-         [](AppState& app, Camera&) { app.quits = true; }},
+         [](AppState& app, Camera&) { ask_to_quit(app); }},
         {"set everything back to the scene's values", "", {}, [](AppState& app, Camera&) { app.scene = app.origin; }},
         {"reset what the window remembers to defaults", "", {}, [](AppState& app, Camera&) { ask_to_forget(app); }},
     };

@@ -17,9 +17,11 @@
 #include "wind_streaks.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace drapeau {
@@ -47,14 +49,14 @@ struct Commands {
     std::optional<std::filesystem::path> overwrite;     // save the scene over this file
 };
 
-/// A question that waits for an answer: whether a scene, or a film, may be saved over a file, or all that is remembered
-/// forgotten.
+struct AppState;
+
+/// A question that waits for an answer before something is lost: a file's content, a film under way, all that is
+/// remembered.
 struct Question {
-    std::filesystem::path file;
     std::string text;
-    std::string answer = "Overwrite";
-    std::string tip = "What the file holds is replaced.";
-    bool forgets = false, film = false;
+    std::string answer, tip;              // the button that agrees
+    std::function<void(AppState&)> then;  // what is done then
 };
 
 /// How far the run has gone from its reference.
@@ -190,23 +192,39 @@ inline void close_one(AppState& app) {
         app.message.text.clear();
 }
 
-/// Does what was asked about: saves over the file, or forgets.
+/// Does what was asked about.
 inline void agree(AppState& app) {
-    if (app.question && app.question->forgets)
-        app.commands.forget_settings = true;
-    else if (app.question)
-        (app.question->film ? app.commands.replace_film : app.commands.overwrite) = app.question->file;
-    app.question.reset();
+    if (!app.question) return;
+    const auto then = std::exchange(app.question, std::nullopt)->then;
+    then(app);
+}
+
+inline Question question_before_overwriting(const std::string& text, std::function<void(AppState&)> then) {
+    return {text, "Overwrite", "What the file holds is replaced.", std::move(then)};
 }
 
 inline void ask_to_forget(AppState& app) {
-    app.question = Question{.file = {},
-                            .text =
+    app.question = Question{.text =
                                 "Forget the window's size, its panel and page, and the recent files? The scene "
                                 "stays as it is.",
                             .answer = "Forget",
                             .tip = "The window begins with defaults from the next start on.",
-                            .forgets = true};
+                            .then = [](AppState& state) { state.commands.forget_settings = true; }};
+}
+
+/// Asks before what would end a film under way; without one it is done at once.
+inline void unless_filming(AppState& app, const std::string& what, std::function<void(AppState&)> then) {
+    if (!app.film.under_way) return then(app);
+    app.question = Question{.text = "A film is being made: " + std::to_string(app.film.written) + " of " +
+                                    std::to_string(app.film.frames) + " frames of " + app.film.name + " are written. " +
+                                    what + " and lose it?",
+                            .answer = what,
+                            .tip = "The film ends, and nothing is left of it.",
+                            .then = std::move(then)};
+}
+
+inline void ask_to_quit(AppState& app) {
+    unless_filming(app, "Quit", [](AppState& state) { state.quits = true; });
 }
 
 /// Diagonal springs off, or on as stiff as they last were.

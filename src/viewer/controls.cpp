@@ -121,7 +121,6 @@ void Controls::release(const InputEvent& event, AppState& app) {
 void Controls::carry_out(const Action* action, AppState& app, Camera& camera) {
     if (!action || (app.palette.open && action->key != "Esc")) return;
     action->run(app, camera);
-    quit_ = quit_ || app.quits;
 }
 
 }  // namespace drapeau

@@ -21,8 +21,6 @@ public:
     void apply(const std::vector<InputEvent>& events, const Claims& claims, const Framing& framing, AppState& app,
                Camera& camera);
 
-    bool wants_to_quit() const { return quit_; }
-
 private:
     enum class Drag { none, turn, slide, pull };
 
@@ -39,7 +37,6 @@ private:
     double pressed_time_ = -1e6;  // s
     long long frame_ = 0, pressed_frame_ = -2;
     bool still_ = false;  // the mouse has not moved since then
-    bool quit_ = false;
 };
 
 }  // namespace drapeau

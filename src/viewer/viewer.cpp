@@ -125,7 +125,7 @@ Viewer::Viewer(const Options& options, LoadedScene loaded)
 }
 
 bool Viewer::running() const {
-    return window_.open() && !controls_.wants_to_quit() && (!repeatable() || frame_ < options_.frames);
+    return window_.open() && !app_.quits && (!repeatable() || frame_ < options_.frames);
 }
 
 int Viewer::exit_status() const {
@@ -150,6 +150,10 @@ void Viewer::input() {
     // Time at rest is none that the run could be behind.
     if (rest_seconds_ > 0.0 && !runs()) last_time_ = glfwGetTime();
     had_events_ = !events.empty() || file_changed_;
+    if (!window_.open() && app_.film.under_way && !app_.quits) {
+        window_.stay_open();
+        ask_to_quit(app_);
+    }
     hidden_ = !repeatable() && window_.hidden();
     if (!repeatable()) target_.resize(window_.framebuffer_size().x, window_.framebuffer_size().y);
     const float pixels = float(target_.width()) / std::max(1.0f, size().x);

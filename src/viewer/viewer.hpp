@@ -62,6 +62,7 @@ private:
     Picture picture() const;
 
     void load_wanted();
+    void ask_before_loading();
     void use(Loaded loaded);
     void wear(const std::filesystem::path& file, std::optional<Image> image);
     void save_wanted();

@@ -14,6 +14,7 @@
 namespace drapeau {
 
 void Viewer::load_wanted() {
+    ask_before_loading();
     const Commands& commands = app_.commands;
     if (commands.load_texture) restored_image_.clear();
     if (commands.load_texture && meant_path(*commands.load_texture).empty()) {
@@ -28,6 +29,19 @@ void Viewer::load_wanted() {
     while (auto loaded = loader_.take(!opening_)) use(std::move(*loaded));
     app_.status.loading = loader_.waiting_for();
     thumbnail_textures_.serve(app_.thumbnails, loader_, repeatable());
+}
+
+/// Another scene or image would end a film under way.
+void Viewer::ask_before_loading() {
+    Commands& commands = app_.commands;
+    if (commands.stop_film || !app_.film.under_way || !(commands.load_scene || commands.load_texture)) return;
+    unless_filming(app_, "Open another",
+                   [scene = std::exchange(commands.load_scene, std::nullopt),
+                    image = std::exchange(commands.load_texture, std::nullopt)](AppState& app) {
+                       app.commands.stop_film = true;
+                       app.commands.load_scene = scene;
+                       app.commands.load_texture = image;
+                   });
 }
 
 // Files that cannot be used leave everything as it was, with a message.
@@ -64,7 +78,8 @@ void Viewer::save_wanted() {
         own.push_back(app_.scene_file);
         app_.question.reset();
         if (const auto question = question_before_saving(file, own, app_.texture_file))
-            app_.question = {file, *question};
+            app_.question =
+                question_before_overwriting(*question, [file](AppState& app) { app.commands.overwrite = file; });
         else
             save(file);
     } catch (const InputError& wrong) {

@@ -104,7 +104,8 @@ void Viewer::ask_film() {
     std::error_code failure;
     if (!app_.commands.replace_film && std::filesystem::exists(first_file(plan), failure)) {
         app_.question =
-            Question{.file = plan.file, .text = plan.file.string() + " exists. Overwrite it?", .film = true};
+            question_before_overwriting(plan.file.string() + " exists. Overwrite it?",
+                                        [file = plan.file](AppState& app) { app.commands.replace_film = file; });
         return;
     }
     check_outputs({}, {{"the film", first_file(plan).string()}});

@@ -241,8 +241,8 @@ void Window::show(int width, int height, bool grows) {
 bool Window::open() const {
     return !glfwWindowShouldClose(window_);
 }
-void Window::close() {
-    glfwSetWindowShouldClose(window_, GLFW_TRUE);
+void Window::stay_open() {
+    glfwSetWindowShouldClose(window_, GLFW_FALSE);
 }
 
 std::vector<InputEvent> Window::poll(double wait) {

@@ -29,8 +29,8 @@ public:
     /// `grows`: with the desktop's text, as far as there is room.
     void show(int width, int height, bool grows);
 
-    bool open() const;
-    void close();
+    bool open() const;  // nobody has asked to close it
+    void stay_open();
     /// What happened since the last call, in order; waits so many seconds for something to happen.
     std::vector<InputEvent> poll(double wait = 0.0);
     void swap();

@@ -265,8 +265,27 @@ TEST_CASE_METHOD(Desk,
     CHECK(has(begun.controls.at("Reading: Film").value, "film.mp4: "));
     // The flag flies on meanwhile.
     app.wait_until("time to pass", [&](const Look& look) { return look.number("time") > begun.number("time"); });
-    app.click("Stop film");
+    // What would end it asks first.
+    const auto asked = [](const Look& look) { return has(look.text("question"), "A film is being made"); };
+    const auto cancelled = [&] {
+        app.wait_until("a question", asked);
+        app.settle();  // a box lies where it stays only once it has been drawn
+        app.click("Cancel");
+        const auto none = [](const Look& look) { return look.text("question").empty(); };
+        return !app.wait_until("no question", none).text("film").empty();
+    };
+    app.press("ctrl+q");
+    CHECK(cancelled());
+    app.click("Page: Flag");
+    app.show("Image file");
+    app.type("Image file", "japan");
+    CHECK(cancelled());
+    app.type("Image file", "japan");
+    app.wait_until("a question", asked);
+    app.settle();
+    app.click("Open another");
     wait_for_message("nothing is left of it");
+    app.wait_until("the image", [](const Look& look) { return has(look.text("texture"), "japan"); });
     CHECK(read_text(file) == first);
     CHECK(files_in(folder.path()) == 2);
     app.check_healthy();
