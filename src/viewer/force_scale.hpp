@@ -6,15 +6,25 @@ namespace drapeau {
 /// The smallest of 1, 2, 5 x 10^n that is not below `value`.
 double rounded_up(double value);
 
+/// A round number above a level that wavers.
+class RoundScale {
+public:
+    void follow(double level);
+    double end() const { return shown_; }
+
+private:
+    double level_ = 0.0;  // quick to rise and slow to fall
+    double shown_ = 1e-3;
+};
+
 class ForceScale {
 public:
     /// Follows a new moment of the run, in which the spring forces have this root mean square (N).
-    void follow(double rms_force);
-    double newtons() const { return shown_; }
+    void follow(double rms_force) { scale_.follow(2.0 * rms_force); }
+    double newtons() const { return scale_.end(); }
 
 private:
-    double level_ = 0.0;  // N, twice the root mean square of spring forces, quick to rise and slow to fall
-    double shown_ = 1e-3;
+    RoundScale scale_;
 };
 
 }  // namespace drapeau

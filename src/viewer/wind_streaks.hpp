@@ -4,17 +4,13 @@
 
 #include "camera.hpp"
 #include "scene/scene.hpp"
+#include "streak.hpp"
 
 #include <glm/vec3.hpp>
 
 #include <vector>
 
 namespace drapeau {
-
-struct Streak {
-    glm::vec3 from{0.0f}, to{0.0f};  // m; from where the air was a moment ago
-    float strength = 0.0f;           // 0 at the faces of the box, 1 well inside
-};
 
 class WindStreaks {
 public:
@@ -23,6 +19,7 @@ public:
 
     /// Lets the motes drift from the last moment to this one (s). After a jump in time they are where they were.
     void drift(const Wind& wind, const Framing& framing, double time);
+    /// Each from where its air was a moment ago; strong well inside the box, nothing at its faces.
     const std::vector<Streak>& streaks() const { return streaks_; }
 
 private:

@@ -1,0 +1,27 @@
+// Velocities of masses as lines: from a mass along its velocity, as long as it is fast. Of fine grids masses a few
+// centimetres apart have one, so that the flag stays to be seen.
+#pragma once
+
+#include "run/simulation.hpp"
+#include "streak.hpp"
+
+#include <glm/vec2.hpp>
+
+#include <vector>
+
+namespace drapeau {
+
+/// m/s; 0 of no masses.
+double fastest(const FieldBuffer<float>& velocity);
+
+/// Every how many columns and rows there is a line, so that at most 24 stand along the longer side and they are as far
+/// apart both ways. `cell`: m.
+glm::ivec2 lines_apart(int columns, int rows, glm::vec2 cell);
+
+/// A line of `length` (m) for a mass of `speed` (m/s). `snapshot`: with velocities; none are drawn without.
+std::vector<Streak> velocity_lines(const Snapshot& snapshot, glm::vec2 cell, double speed, double length);
+
+/// The same of a flag: a mass of `speed` (m/s) has a line as long as a fifth of the flag's longer side.
+std::vector<Streak> velocities_of(const Snapshot& snapshot, const FlagSettings& flag, double speed);
+
+}  // namespace drapeau
