@@ -6,6 +6,7 @@
 #include "recording.hpp"
 #include "render_target.hpp"
 #include "stretch.hpp"
+#include "velocity_lines.hpp"
 
 namespace drapeau {
 
@@ -17,7 +18,7 @@ struct Filming {
     Scene scene;
     ViewSettings settings;  // that the view was made of
     StretchScale stretch_scale{};
-    RoundScale speed_scale{};
+    SpeedScale speed_scale{};
     long long drawn = 0;
 
     /// The picture of a frame. Frames come in order: scales follow them.

@@ -7,9 +7,8 @@ namespace drapeau {
 
 namespace {
 
-constexpr double least = 1e-6;      // N, or a share
-constexpr double fall = 0.96;       // of the level, each moment
-constexpr double hysteresis = 0.7;  // the scale shrinks only when the level is well below it
+constexpr double least = 1e-6;  // N, a share, m/s
+constexpr double fall = 0.96;   // of the level, each moment
 
 }  // namespace
 
@@ -25,7 +24,7 @@ void RoundScale::follow(double level) {
     if (!std::isfinite(level)) return;
     level_ = std::max(level, level_ * fall);
     const double wanted = rounded_up(level_);
-    if (wanted > shown_ || level_ < hysteresis * rounded_up(0.4 * shown_)) shown_ = wanted;
+    if (wanted > shown_ || level_ < hysteresis_ * rounded_up(0.4 * shown_)) shown_ = wanted;
 }
 
 }  // namespace drapeau

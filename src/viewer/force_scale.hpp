@@ -6,13 +6,15 @@ namespace drapeau {
 /// The smallest of 1, 2, 5 x 10^n that is not below `value`.
 double rounded_up(double value);
 
-/// A round number above a level that wavers.
+/// A round number above a level that wavers. It shrinks once the level is below `hysteresis` times the next one.
 class RoundScale {
 public:
+    explicit RoundScale(double hysteresis = 0.7) : hysteresis_(hysteresis) {}
     void follow(double level);
     double end() const { return shown_; }
 
 private:
+    double hysteresis_;
     double level_ = 0.0;  // quick to rise and slow to fall
     double shown_ = 1e-3;
 };

@@ -10,7 +10,7 @@ namespace drapeau {
 
 namespace {
 
-constexpr float along_side = 24.0f;  // lines
+constexpr float along_side = 18.0f;  // lines
 constexpr double shortest = 0.01;    // of the length asked for; what is shorter is left out
 
 }  // namespace
@@ -50,7 +50,7 @@ std::vector<Streak> velocities_of(const Snapshot& snapshot, const FlagSettings& 
     const int columns = snapshot.position.columns(), rows = snapshot.position.rows();
     const glm::vec2 size(columns > 1 ? flag.width : 0.0, rows > 1 ? flag.height : 0.0);
     const glm::vec2 cell = size / glm::vec2(std::max(1, columns - 1), std::max(1, rows - 1));
-    return velocity_lines(snapshot, cell, speed, double(std::max(size.x, size.y)) / 5.0);
+    return velocity_lines(snapshot, cell, speed, double(std::max(size.x, size.y)) / 6.0);
 }
 
 }  // namespace drapeau

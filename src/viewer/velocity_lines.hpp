@@ -2,6 +2,7 @@
 // centimetres apart have one, so that the flag stays to be seen.
 #pragma once
 
+#include "force_scale.hpp"
 #include "run/simulation.hpp"
 #include "streak.hpp"
 
@@ -14,14 +15,24 @@ namespace drapeau {
 /// m/s; 0 of no masses.
 double fastest(const FieldBuffer<float>& velocity);
 
-/// Every how many columns and rows there is a line, so that at most 24 stand along the longer side and they are as far
+/// The speed (m/s) of the longest line: a round number that follows the fastest mass closely.
+class SpeedScale {
+public:
+    void follow(const FieldBuffer<float>& velocity) { scale_.follow(fastest(velocity)); }
+    double end() const { return scale_.end(); }
+
+private:
+    RoundScale scale_{0.95};  // lines are to be long enough to be read
+};
+
+/// Every how many columns and rows there is a line, so that at most 18 stand along the longer side and they are as far
 /// apart both ways. `cell`: m.
 glm::ivec2 lines_apart(int columns, int rows, glm::vec2 cell);
 
 /// A line of `length` (m) for a mass of `speed` (m/s). `snapshot`: with velocities; none are drawn without.
 std::vector<Streak> velocity_lines(const Snapshot& snapshot, glm::vec2 cell, double speed, double length);
 
-/// The same of a flag: a mass of `speed` (m/s) has a line as long as a fifth of the flag's longer side.
+/// The same of a flag: a mass of `speed` (m/s) has a line as long as a sixth of the flag's longer side.
 std::vector<Streak> velocities_of(const Snapshot& snapshot, const FlagSettings& flag, double speed);
 
 }  // namespace drapeau

@@ -4,7 +4,6 @@
 #include "numbered_name.hpp"
 #include "scene_cards.hpp"
 #include "stage.hpp"
-#include "velocity_lines.hpp"
 
 #include "io/error.hpp"
 #include "io/given_path.hpp"
@@ -283,7 +282,7 @@ void Viewer::show_moment() {
     renderer_.upload(moment_.snapshot);
     force_scale_.follow(moment_.readings.rms_spring_force);
     if (app_.scene.view.stretch) stretch_scale_.follow(moment_.snapshot.position, moment_.kinds);
-    if (app_.scene.view.velocities) speed_scale_.follow(fastest(moment_.snapshot.velocity));
+    if (app_.scene.view.velocities) speed_scale_.follow(moment_.snapshot.velocity);
     if (repeatable() && moment_.stands() && !status.stands()) complain("drapeau", app_.message.text);
     status.readings = moment_.readings;
     status.divergence = moment_.divergence;

@@ -25,6 +25,7 @@
 #include "stretch.hpp"
 #include "thumbnail_textures.hpp"
 #include "ui_map.hpp"
+#include "velocity_lines.hpp"
 #include "window.hpp"
 
 #include <memory>
@@ -137,7 +138,7 @@ private:
     Pacer pacer_;
     ForceScale force_scale_;
     StretchScale stretch_scale_;
-    RoundScale speed_scale_;
+    SpeedScale speed_scale_;
     ViewSettings seen_view_;  // of the frame before
 
     Moment newest_;            // of the run

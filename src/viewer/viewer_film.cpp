@@ -6,7 +6,6 @@
 #include "obj_file.hpp"
 #include "progress_line.hpp"
 #include "stage.hpp"
-#include "velocity_lines.hpp"
 #include "viewer.hpp"
 
 #include "io/error.hpp"
@@ -53,7 +52,7 @@ Picture Filming::picture(const FilmFrame& frame) {
     shown.stretch_scale = float(settings.stretch_range.value_or(stretch_scale.share()));
     shown.streaks.clear();  // they drift with the window's moments
     if (settings.velocities) {
-        speed_scale.follow(fastest(frame.snapshot.velocity));
+        speed_scale.follow(frame.snapshot.velocity);
         shown.velocities = velocities_of(frame.snapshot, scene.flag, speed_scale.end());
     }
     shown.hidden = glm::ivec4(0);

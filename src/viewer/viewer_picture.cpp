@@ -4,7 +4,6 @@
 #include "hand_overlay.hpp"
 #include "legend.hpp"
 #include "stage.hpp"
-#include "velocity_lines.hpp"
 
 #include "io/error.hpp"
 #include "io/text.hpp"
