@@ -46,6 +46,17 @@ void draw_title(ImDrawList* list, const Legend& legend, ImVec2 at, float width) 
         list->AddText({at.x + width - range, at.y}, faint, legend.range().c_str());
 }
 
+/// As many of its numbers as there is room for below the bar, the upper end's first.
+void draw_labels(ImDrawList* list, const Legend& legend, ImVec2 at, float width) {
+    const auto& [low, middle, high] = legend.labels;
+    const float gap = 0.5f * ImGui::GetFontSize(), ends = width_of(low) + gap + width_of(high);
+    list->AddText({at.x + width - width_of(high), at.y}, bright, high.c_str());
+    if (ends > width) return;
+    list->AddText(at, bright, low.c_str());
+    if (ends + gap + width_of(middle) > width) return;
+    list->AddText({at.x + (width - width_of(middle)) / 2.0f, at.y}, bright, middle.c_str());
+}
+
 }  // namespace
 
 void draw_legends(const AppState& app, UiMap& map) {
@@ -68,12 +79,7 @@ void draw_legends(const AppState& app, UiMap& map) {
     for (const Legend& legend : shown) {
         draw_title(list, legend, {left, top - line - 5.0f * scale}, width);
         draw_bar(list, legend, {left, top}, {left + width, top + height});
-        const auto& [low, middle, high] = legend.labels;
-        const float under = top + height + 3.0f * scale;
-        list->AddText({left, under}, bright, low.c_str());
-        if (width_of(low) + width_of(middle) + width_of(high) + 16.0f * scale < width)
-            list->AddText({left + (width - width_of(middle)) / 2.0f, under}, bright, middle.c_str());
-        list->AddText({left + width - width_of(high), under}, bright, high.c_str());
+        draw_labels(list, legend, {left, top + height + 3.0f * scale}, width);
         left += box;
     }
 }

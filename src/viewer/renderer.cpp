@@ -14,7 +14,7 @@ bool same(const FieldBuffer<float>& a, const FieldBuffer<float>& b) {
     return true;
 }
 
-const LineLook streak_look{.widths = {0.9f, 1.7f}, .opacities = {0.05f, 0.45f}};
+const LineLook streak_look{.widths = {0.9f, 1.7f}, .opacities = {0.05f, 0.4f}};
 const LineLook velocity_look{.color = {1.0f, 0.72f, 0.05f}, .widths = {3.2f, 1.0f}, .casing = 0.8f};
 constexpr float behind_cloth = 0.3f;  // of its opacity
 

@@ -11,16 +11,23 @@ namespace drapeau {
 namespace {
 
 constexpr float along_side = 18.0f;  // lines
-constexpr double shortest = 0.01;    // of the length asked for; what is shorter is left out
+constexpr double usual_part = 0.95;
+constexpr int asked_along_side = 64;  // masses, at most, along either side
+constexpr double longest = 3.0;       // of the length asked for
+constexpr double shortest = 0.01;     // of the length asked for; what is shorter is left out
 
 }  // namespace
 
-double fastest(const FieldBuffer<float>& velocity) {
-    double most = 0.0;
-    for (int row = 0; row < velocity.rows(); ++row)
-        for (int column = 0; column < velocity.columns(); ++column)
-            most = std::max(most, glm::length(velocity.at(column, row)));
-    return most;
+double usual_speed(const FieldBuffer<float>& velocity) {
+    const int apart_x = 1 + velocity.columns() / asked_along_side, apart_y = 1 + velocity.rows() / asked_along_side;
+    std::vector<double> speeds;
+    for (int row = 0; row < velocity.rows(); row += apart_y)
+        for (int column = 0; column < velocity.columns(); column += apart_x)
+            speeds.push_back(glm::length(velocity.at(column, row)));
+    if (speeds.empty()) return 0.0;
+    const auto at = speeds.begin() + std::ptrdiff_t(usual_part * double(speeds.size() - 1));
+    std::nth_element(speeds.begin(), at, speeds.end());
+    return *at;
 }
 
 glm::ivec2 lines_apart(int columns, int rows, glm::vec2 cell) {
@@ -39,8 +46,11 @@ std::vector<Streak> velocity_lines(const Snapshot& snapshot, glm::vec2 cell, dou
     // The fly end, which moves most, has its lines; rows are taken from the middle.
     for (int row = (rows - 1) % apart.y / 2; row < rows; row += apart.y)
         for (int column = (columns - 1) % apart.x; column < columns; column += apart.x) {
-            const glm::dvec3 along = length / speed * velocity.at(column, row), from = position.at(column, row);
-            if (glm::length(along) < shortest * length) continue;
+            glm::dvec3 along = length / speed * velocity.at(column, row);
+            const glm::dvec3 from = position.at(column, row);
+            const double size = glm::length(along);
+            if (!(size >= shortest * length)) continue;
+            along *= std::min(1.0, longest * length / size);
             lines.push_back({glm::vec3(from), glm::vec3(from + along), 1.0f});
         }
     return lines;

@@ -12,13 +12,14 @@
 
 namespace drapeau {
 
-/// m/s; 0 of no masses.
-double fastest(const FieldBuffer<float>& velocity);
+/// The speed (m/s) that 19 masses in 20 do not exceed, of about 4000 at most; 0 of no masses. The tip that cracks like
+/// a whip would make all other lines dots.
+double usual_speed(const FieldBuffer<float>& velocity);
 
-/// The speed (m/s) of the longest line: a round number that follows the fastest mass closely.
+/// The speed (m/s) at the end of the legend: a round number that follows the usual one closely.
 class SpeedScale {
 public:
-    void follow(const FieldBuffer<float>& velocity) { scale_.follow(fastest(velocity)); }
+    void follow(const FieldBuffer<float>& velocity) { scale_.follow(usual_speed(velocity)); }
     double end() const { return scale_.end(); }
 
 private:
@@ -29,7 +30,8 @@ private:
 /// apart both ways. `cell`: m.
 glm::ivec2 lines_apart(int columns, int rows, glm::vec2 cell);
 
-/// A line of `length` (m) for a mass of `speed` (m/s). `snapshot`: with velocities; none are drawn without.
+/// A line of `length` (m) for a mass of `speed` (m/s), and none longer than three times that. `snapshot`: with
+/// velocities; none are drawn without.
 std::vector<Streak> velocity_lines(const Snapshot& snapshot, glm::vec2 cell, double speed, double length);
 
 /// The same of a flag: a mass of `speed` (m/s) has a line as long as a sixth of the flag's longer side.

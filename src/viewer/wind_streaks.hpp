@@ -8,6 +8,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstdint>
 #include <vector>
 
 namespace drapeau {
@@ -23,9 +24,10 @@ public:
     const std::vector<Streak>& streaks() const { return streaks_; }
 
 private:
-    std::vector<glm::dvec3> places_;  // in shares of the box
+    std::vector<glm::dvec3> places_;   // in shares of the box
+    std::vector<std::int64_t> lives_;  // how many each has begun
     std::vector<Streak> streaks_;
-    double time_ = 0.0;
+    double time_ = 0.0, drifted_ = 0.0;  // s
 };
 
 /// The Beaufort force of a wind (m/s, 10 m above ground), 0 to 12: the limits are those of the WMO's scale in m/s.
