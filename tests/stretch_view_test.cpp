@@ -1,6 +1,7 @@
 // The stretch that cloth is coloured by, and the velocities that are drawn: of cloths whose answer is known.
 #include "catch.hpp"
 
+#include "viewer/batch_track.hpp"
 #include "viewer/stretch.hpp"
 #include "viewer/velocity_lines.hpp"
 
@@ -112,6 +113,15 @@ TEST_CASE("a snapshot's velocities are the run's own, and those of a kept moment
     kept->velocity(then);
     falls(now, run.time());
     falls(then, kept->time());
+
+    // A film's frame lies between two batches.
+    Simulation flight(scene);
+    BatchTrack track(flight);
+    const std::atomic<bool> goes_on{false};
+    Snapshot frame;
+    track.follow(2.4 * batch_seconds, frame, goes_on);
+    CHECK(frame.time == Approx(2.4 * batch_seconds));
+    falls(frame, frame.time);
 }
 
 TEST_CASE("velocities are lines along them, as long as they are fast, and few on fine grids") {
