@@ -4,6 +4,7 @@
 #include "image.glsl"
 #include "sun_reach.glsl"
 #include "cloth_sewn.glsl"
+#include "cloth_stretch.glsl"
 
 uniform float dimmed;  // 1: a dark backdrop for force colours
 
@@ -22,6 +23,7 @@ vec3 lit(vec3 color) {
     if (!gl_FrontFacing) n = -n;
     Cloth cloth = sewn_cloth(color, texture_place);
     color = mix(cloth.color, dark + 0.06 * cloth.color, dimmed);
+    if (by_stretch == 1) color = stretch_colour(texture_place);
 
     // Lit side, light that comes through from behind, and a sheen that runs along folds seen at a grazing angle.
     float facing = dot(n, sun.xyz), reach = sun_reach(sun_place);

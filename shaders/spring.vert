@@ -2,6 +2,7 @@
 #include "frame.glsl"
 #include "grid.glsl"
 #include "image.glsl"
+#include "colour_scale.glsl"
 
 uniform ivec2 offset;     // columns and rows from a spring's one end to the other
 uniform int per_row;      // springs of this kind in a row
@@ -15,13 +16,14 @@ uniform float slack_presence;
 uniform vec3 color;
 uniform int on_picture;   // 1: light on dark parts of the picture and dark on light ones
 uniform ivec2 grid;       // columns, rows
+uniform float casing;     // a dark line on either side, in units of line width
 
 out vec3 tint;
 out float across;  // pixels from the line's middle
+out float length_share;  // 0 at the one end, 1 at the other
 flat out float half_width;
 flat out float presence;  // slack springs before dark cloth stand back, so that those that pull stand out
 
-const vec3 strongest = vec3(0.80, 0.0, 0.015);
 const vec3 dark = vec3(0.012, 0.015, 0.022);
 const vec3 light = vec3(0.93, 0.92, 0.88);
 const float thinnest = 0.8;       // in units of line width
@@ -40,10 +42,10 @@ void main() {
     vec3 a = position(mass);
     vec3 b = position(mass + offset);
 
-    // |k (l - L)|, white when slack and red at the scale's end
+    // |k (l - L)|
     float force = abs(stiffness * (distance(a, b) - rest));
     float share = clamp(force / force_scale, 0.0, 1.0);
-    tint = by_force == 1 ? mix(vec3(1.0), strongest, share) : color;
+    tint = by_force == 1 ? colour_at(share) : color;
     presence = by_force == 1 ? mix(slack_presence, 1.0, sqrt(share)) : 1.0;
     if (on_picture == 1) tint = contrast(vec2(mass) + 0.5 * vec2(offset));
 
@@ -60,7 +62,8 @@ void main() {
     float pixels_per_metre = length(vec3(to_clip[0][1], to_clip[1][1], to_clip[2][1])) * half_size.y / ends[0].w;
     half_width = 0.5 * clamp(share_of_cell * rest * pixels_per_metre, thinnest * picture_size.z, width * picture_size.z);
     float side = float(gl_VertexID % 2) * 2.0 - 1.0;
-    across = side * (half_width + 1.0);
+    across = side * (half_width + casing * picture_size.z + 1.0);
+    length_share = float(gl_VertexID / 2);
     gl_Position = ends[gl_VertexID / 2];
     gl_Position.xy += vec2(-along.y, along.x) * across / half_size * gl_Position.w;
 }

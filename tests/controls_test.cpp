@@ -106,6 +106,8 @@ TEST_CASE("every key does one thing, and pressed again undoes it where it is a s
     switches('s', view.springs);
     switches('f', view.forces);
     switches('m', view.masses);
+    switches('e', view.stretch);
+    switches('v', view.velocities);
     switches('c', view.cloth);
     switches('w', view.wind);
     switches('a', desk.app.orbits);

@@ -255,7 +255,12 @@ TEST_CASE("every key of the format is read") {
         texture_proportions = true
         background = "studio"
         bare_grid = true
-        person = true)",
+        person = true
+        stretch = true
+        velocities = true
+        colours = "viridis"
+        force_range = 2.5
+        stretch_range = 0.04)",
                                     "all.toml");
     Scene expected;
     expected.name = "All";
@@ -266,7 +271,9 @@ TEST_CASE("every key of the format is read") {
     expected.wind() = Wind{{4.0, 5.0, 6.0}, {0.1, 0.2, 0.3}, 7.0, true, 8};
     expected.limits.add(StretchLimit{0.05});
     expected.time = {method_id<ForwardEuler>, 0.001, Precision::double_precision};
-    expected.view = {false, false, false, true, true, true, true, true, true, Background::studio, true, true};
+    expected.view = {
+        false, false, false, true, true, true, true, true, true, Background::studio, true, true, true, Colours::viridis,
+        2.5,   0.04,  true};
     CHECK(scene == expected);
 }
 

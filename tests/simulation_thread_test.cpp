@@ -400,3 +400,18 @@ TEST_CASE("a large flag is moved by as many threads as given, through changes an
     thread.wait();
     CHECK(threads_settling_at(before + 1) == before + 1);
 }
+
+TEST_CASE("moments come with velocities while they are wanted, the present one at once") {
+    SimulationThread thread{Simulation(small_sheet())};
+    thread.ask_batches(3);
+    CHECK(newest_of(thread).snapshot.velocity.columns() == 0);
+    thread.give_velocities(true);
+    const Moment here = newest_of(thread);
+    CHECK(here.snapshot.velocity.columns() == here.snapshot.position.columns());
+    CHECK(here.snapshot.time == Approx(3.0 * batch_seconds));
+    thread.ask_batches(1);
+    CHECK(newest_of(thread).snapshot.velocity.rows() == here.snapshot.position.rows());
+    thread.give_velocities(false);
+    thread.ask_batches(1);
+    CHECK(newest_of(thread).snapshot.velocity.columns() == 0);
+}

@@ -11,7 +11,7 @@ namespace {
 
 /// Every mass at `x` m, at `time` s.
 Snapshot at(double x, double time, int columns = 3) {
-    Snapshot snapshot{.position = FieldBuffer<float>(columns, 2), .time = time, .steps = 0};
+    Snapshot snapshot{.position = FieldBuffer<float>(columns, 2), .velocity = {}, .time = time, .steps = 0};
     for (int j = 0; j < 2; ++j)
         for (int i = 0; i < columns; ++i) snapshot.position.set(i, j, {x, 0.0, 0.0});
     return snapshot;

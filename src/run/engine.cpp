@@ -12,14 +12,18 @@ namespace drapeau {
 namespace {
 
 template <class Real>
+void copy(const FieldBuffer<Real>& from, FieldBuffer<float>& into) {
+    if (into.columns() != from.columns() || into.rows() != from.rows())
+        into = FieldBuffer<float>(from.columns(), from.rows());
+    into.take(from);
+}
+
+template <class Real>
 struct KeptState final : EngineState {
     typename Stepper<Real>::Checkpoint checkpoint;
 
-    void snapshot(FieldBuffer<float>& into) const override {
-        const auto& x = checkpoint.fields[0];
-        if (into.columns() != x.columns() || into.rows() != x.rows()) into = FieldBuffer<float>(x.columns(), x.rows());
-        into.take(x);
-    }
+    void snapshot(FieldBuffer<float>& into) const override { copy(checkpoint.fields[0], into); }
+    void velocity(FieldBuffer<float>& into) const override { copy(checkpoint.fields[1], into); }
     std::size_t bytes() const override {
         std::size_t sum = sizeof *this;
         for (const auto* fields : {&checkpoint.fields, &checkpoint.held})
@@ -77,11 +81,8 @@ public:
         stepper_.set(state);
         pulls_.clear();  // they were of another past
     }
-    void snapshot(FieldBuffer<float>& into) const override {
-        const auto& x = stepper_.position();
-        if (into.columns() != x.columns() || into.rows() != x.rows()) into = FieldBuffer<float>(x.columns(), x.rows());
-        into.take(x);
-    }
+    void snapshot(FieldBuffer<float>& into) const override { copy(stepper_.position(), into); }
+    void velocity(FieldBuffer<float>& into) const override { copy(stepper_.velocity(), into); }
 
     std::uint64_t state_hash() const override {
         std::uint64_t hash = 0;

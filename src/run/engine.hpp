@@ -17,6 +17,7 @@ class EngineState {
 public:
     virtual ~EngineState() = default;
     virtual void snapshot(FieldBuffer<float>& into) const = 0;  // positions (m) as the picture takes them
+    virtual void velocity(FieldBuffer<float>& into) const = 0;  // m/s, as stored
     virtual std::size_t bytes() const = 0;
 };
 
@@ -67,6 +68,7 @@ public:
     virtual void set(const State<double>& state) = 0;
     /// Positions as the picture takes them.
     virtual void snapshot(FieldBuffer<float>& into) const = 0;
+    virtual void velocity(FieldBuffer<float>& into) const = 0;  // m/s, as stored
     virtual std::uint64_t state_hash() const = 0;
 
     /// Everything that the steps to come depend on, kept aside in one of a few places.

@@ -28,6 +28,10 @@ void KeptRun::snapshot(Snapshot& into) const {
     into.steps = parts_->run.now.steps;
 }
 
+void KeptRun::velocity(Snapshot& into) const {
+    parts_->masses->velocity(into.velocity);
+}
+
 void KeptRun::each_part(const std::function<void(const void*, std::size_t)>& visit) const {
     visit(this, besides_masses + parts_->masses->bytes());
     for (const auto& good : parts_->good)

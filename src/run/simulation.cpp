@@ -170,6 +170,10 @@ void Simulation::snapshot(Snapshot& into) const {
     into.steps = run_->now.steps;
 }
 
+void Simulation::velocity(Snapshot& into) const {
+    run_->engine->velocity(into.velocity);
+}
+
 Readings Simulation::readings() const {
     const double now = run_->now.time();
     const auto here = run_->engine->measure(now);

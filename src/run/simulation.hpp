@@ -20,6 +20,7 @@ namespace drapeau {
 /// Where every mass is at a moment, as the picture takes it.
 struct Snapshot {
     FieldBuffer<float> position;  // m
+    FieldBuffer<float> velocity;  // m/s; without masses unless it was asked for (Simulation::velocity)
     double time = 0.0;            // s of simulated time
     long long steps = 0;          // since the run began
 };
@@ -65,6 +66,7 @@ public:
     double time() const;  // s
     const Scene& scene() const;
     void snapshot(Snapshot& into) const;
+    void velocity(Snapshot& into) const;  // of the same moment too; see Simulation
     /// Every part with the memory it takes (bytes); moments that follow each other share some.
     void each_part(const std::function<void(const void* part, std::size_t bytes)>& visit) const;
 
@@ -158,6 +160,8 @@ public:
     const std::string& start_remark() const;
 
     void snapshot(Snapshot& into) const;
+    /// Its velocities too, as the method keeps them: those of staggered methods are half a step back.
+    void velocity(Snapshot& into) const;
     Readings readings() const;
     /// Those of at most a few batches ago, so that they cost a hundredth of the steps.
     const Readings& recent_readings();

@@ -14,6 +14,7 @@ namespace drapeau {
 enum class Start { flat, hanging, crumpled };
 enum class Precision { single_precision, double_precision };
 enum class Background { sky, studio, transparent };
+enum class Colours { red, viridis };  // of forces and stretch
 
 /// The grid of masses and how it begins. Column i, row j rests at (i * width/(columns-1), -j * height/(rows-1), 0).
 struct FlagSettings {
@@ -72,6 +73,11 @@ struct ViewSettings {
     Background background = Background::sky;
     bool bare_grid = false;  // flat facets between the masses, not the smooth surface through them
     bool person = false;     // a figure of 1.75 m stands beside the flag
+    bool stretch = false;    // the cloth is coloured by how far it is stretched
+    Colours colours = Colours::red;
+    std::optional<double> force_range{};    // N, at the end of the force colours; absent: it follows the forces
+    std::optional<double> stretch_range{};  // share, at the ends of the stretch colours; absent: it follows the stretch
+    bool velocities = false;                // a line from masses along their velocity
 
     bool operator==(const ViewSettings&) const = default;
 };

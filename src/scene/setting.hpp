@@ -26,6 +26,7 @@ inline constexpr auto method_names = []<std::size_t... n>(std::index_sequence<n.
 (std::make_index_sequence<method_count>());
 inline constexpr std::array<std::string_view, 2> precision_names{"float", "double"};
 inline constexpr std::array<std::string_view, 3> background_names{"sky", "studio", "transparent"};
+inline constexpr std::array<std::string_view, 2> colours_names{"red", "viridis"};
 
 inline constexpr std::array<std::string_view, 5> fabric_names{"knitted-polyester", "woven-polyester", "nylon", "silk",
                                                               "canvas"};
@@ -47,6 +48,9 @@ inline std::span<const std::string_view> names_of(Precision) {
 }
 inline std::span<const std::string_view> names_of(Background) {
     return background_names;
+}
+inline std::span<const std::string_view> names_of(Colours) {
+    return colours_names;
 }
 
 /// Numbers from `lowest` to `highest`, both allowed.

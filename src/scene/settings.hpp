@@ -296,6 +296,30 @@ inline constexpr std::tuple view_keys{
         About{"Background", "", "sky, studio or transparent",
               "studio: a plain backdrop, softly lit, with a floor that takes the shadow. transparent: neither sky nor "
               "ground; screenshots, and films of formats that can, keep it transparent."}},
+    Key{"stretch", &ViewSettings::stretch,
+        About{"Stretch colours", "", "the cloth coloured by how far it is stretched",
+              "At every mass by the direction of its springs that is stretched most, so that cloth is slack only where "
+              "no direction is taut. A scale in % stands below the flag. Key E"}},
+    Key{"velocities", &ViewSettings::velocities,
+        About{
+            "Velocities", "", "a line from masses along their velocity",
+            "As long as the mass is fast; a scale in m/s stands below the flag. On fine grids not every mass has one. "
+            "Key V"}},
+    Key{"colours", &ViewSettings::colours,
+        About{"Colours", "", "of forces and stretch: red or viridis",
+              "red: forces from white to red, stretch from blue (compressed) to red. viridis: from dark blue to "
+              "yellow, ever lighter, which can be read by the colour-blind and in print without colours."}},
+    Key{"force_range", &ViewSettings::force_range,
+        About{"Force range", "N", "at the end of the force colours",
+              "A larger one shows strong springs apart, a smaller one weak springs. auto: a round number that follows "
+              "the forces."},
+        Range{1e-9, 1e9}, Control{{1e-3, 1e3}, true, "%.3g", 1, "", 1.0}, "auto"},
+    Key{"stretch_range", &ViewSettings::stretch_range,
+        About{"Stretch range", "",
+              "share at the ends of the stretch colours; 0.05: from 5 % compressed to 5 % stretched",
+              "A larger one shows strong stretch apart, a smaller one weak stretch. auto: a round number that follows "
+              "the stretch."},
+        Range{1e-6, 10}, Control{{0.01, 100}, true, "%.3g", 100, "%", 0.05}, "auto"},
     Key{"bare_grid", &ViewSettings::bare_grid,
         About{"Bare grid", "", "flat facets between the masses, as they are simulated",
               "Off: a smooth surface through all masses, which shows folds as cloth has them. Neither changes the "

@@ -111,6 +111,8 @@ std::vector<Action> all_actions() {
         {"springs", "S", {{.letter = 's'}}, [](AppState& app, Camera&) { toggle(app.scene.view.springs); }},
         {"diagonal springs", "D", {{.letter = 'd'}}, [](AppState& app, Camera&) { toggle_diagonals(app); }},
         {"force colours", "F", {{.letter = 'f'}}, [](AppState& app, Camera&) { toggle(app.scene.view.forces); }},
+        {"stretch colours", "E", {{.letter = 'e'}}, [](AppState& app, Camera&) { toggle(app.scene.view.stretch); }},
+        {"velocities", "V", {{.letter = 'v'}}, [](AppState& app, Camera&) { toggle(app.scene.view.velocities); }},
         {"masses", "M", {{.letter = 'm'}}, [](AppState& app, Camera&) { toggle(app.scene.view.masses); }},
         {"cloth", "C", {{.letter = 'c'}}, [](AppState& app, Camera&) { toggle(app.scene.view.cloth); }},
         {"wind", "W", {{.letter = 'w'}}, [](AppState& app, Camera&) { toggle(app.scene.view.wind); }},

@@ -92,7 +92,9 @@ struct Status {
     std::string start_remark;               // what a start is not that it may seem; empty where all is well
     std::optional<StretchLimit> limit;      // of the scene that runs
     std::optional<ReferenceGap> reference;  // while one is shown and there is something to say of it
-    double force_scale = 1.0;               // N
+    double force_scale = 1.0;               // N, that the end of the force colours follows
+    double stretch_scale = 1.0;             // share, the same of stretch
+    double speed_scale = 1.0;               // m/s, of the longest line of velocities
     double pull_force = 0.0;                // N, of the hand that holds the cloth
     bool clock = true;                      // false: wall-clock readings are not shown, so that pictures repeat
     double real_time_factor = 0.0;

@@ -26,6 +26,15 @@ void between(const State<double>& before, double t0, const State<double>& after,
                          x1 * after.position.at(column, row) + v1 * after.velocity.at(column, row));
 }
 
+void velocity_between(const State<double>& before, double t0, const State<double>& after, double t1, double time,
+                      FieldBuffer<float>& into) {
+    const double share = (time - t0) / (t1 - t0);
+    for (int row = 0; row < into.rows(); ++row)
+        for (int column = 0; column < into.columns(); ++column)
+            into.set(column, row,
+                     (1.0 - share) * before.velocity.at(column, row) + share * after.velocity.at(column, row));
+}
+
 BatchTrack::BatchTrack(Simulation& run) : run_(run), before_time_(run.time()), after_time_(run.time()) {}
 
 std::optional<Divergence> BatchTrack::follow(double time, Snapshot& into, const std::atomic<bool>& abandon) {
@@ -41,9 +50,11 @@ std::optional<Divergence> BatchTrack::follow(double time, Snapshot& into, const 
         if (abandon) return {};
     }
     run_.snapshot(into);
+    run_.velocity(into);
     if (run_.time() <= time + same_time || !before_) return {};
     if (!after_) after_ = run_.state();
     between(*before_, before_time_, *after_, after_time_, time, into.position);
+    velocity_between(*before_, before_time_, *after_, after_time_, time, into.velocity);
     into.time = time;
     return {};
 }

@@ -21,6 +21,10 @@ namespace drapeau {
 void between(const State<double>& before, double t0, const State<double>& after, double t1, double time,
              FieldBuffer<float>& into);
 
+/// Velocities (m/s) mixed linearly, into a field of as many masses.
+void velocity_between(const State<double>& before, double t0, const State<double>& after, double t1, double time,
+                      FieldBuffer<float>& into);
+
 class BatchTrack {
 public:
     /// The run, from where it is.

@@ -1,5 +1,7 @@
 #include "cloth_pass.hpp"
 
+#include "colour_scale.hpp"
+
 namespace drapeau {
 
 namespace {
@@ -36,9 +38,14 @@ void ClothPass::draw(const ClothMesh& mesh, const Picture& picture, const FlagTe
     const Shader& shader = cut_out ? cut_out_ : cloth_;
     shader.use();
     shader.set("textured", textured ? 1 : 0);
-    shader.set("dimmed", picture.forces ? 1.0f : 0.0f);
+    shader.set("dimmed", picture.forces && !picture.stretch ? 1.0f : 0.0f);
+    shader.set("by_stretch", picture.stretch ? 1 : 0);
+    if (picture.stretch) {
+        shader.set("stretch_scale", picture.stretch_scale);
+        shader.set("scale_colours", stretch_colours(picture.colours));
+    }
     shader.set("cloth_size", picture.cloth_size);
-    shader.set("sewn", cut_out || picture.forces ? 0 : picture.header ? 2 : 1);
+    shader.set("sewn", cut_out || picture.forces || picture.stretch ? 0 : picture.header ? 2 : 1);
     if (textured) bind(texture);
     // Of a pixel's samples as many as the outline leaves of it; those are opaque.
     if (cut_out) glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE), glEnable(GL_SAMPLE_ALPHA_TO_ONE);

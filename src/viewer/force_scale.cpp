@@ -7,9 +7,8 @@ namespace drapeau {
 
 namespace {
 
-constexpr double least = 1e-6;      // N
-constexpr double fall = 0.96;       // of the level, each moment
-constexpr double hysteresis = 0.7;  // the scale shrinks only when the level is well below it
+constexpr double least = 1e-6;  // N, a share, m/s
+constexpr double fall = 0.96;   // of the level, each moment
 
 }  // namespace
 
@@ -21,12 +20,11 @@ double rounded_up(double value) {
     return 10.0 * decade;
 }
 
-void ForceScale::follow(double rms_force) {
-    const double force = 2.0 * rms_force;
-    if (!std::isfinite(force)) return;
-    level_ = std::max(force, level_ * fall);
+void RoundScale::follow(double level) {
+    if (!std::isfinite(level)) return;
+    level_ = std::max(level, level_ * fall);
     const double wanted = rounded_up(level_);
-    if (wanted > shown_ || level_ < hysteresis * rounded_up(0.4 * shown_)) shown_ = wanted;
+    if (wanted > shown_ || level_ < hysteresis_ * rounded_up(0.4 * shown_)) shown_ = wanted;
 }
 
 }  // namespace drapeau

@@ -1,4 +1,4 @@
-// What lies over the picture: the message, the list of keys, the scale of the force colours.
+// What lies over the picture: the message, the list of keys, a question.
 #include "panels.hpp"
 
 #include "actions.hpp"
@@ -179,7 +179,7 @@ void draw_activity(const AppState& app) {
     if (status.settling) text += std::string(text.empty() ? "" : "\n") + "Settling...";
     if (text.empty()) return;
     const Area& view = app.view_area;
-    const float line = ImGui::GetTextLineHeight();  // above the scale of the force colours
+    const float line = ImGui::GetTextLineHeight();  // above the legends
     ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, view.y1 - 6.0f * line}, ImGuiCond_Always, {0.5f, 1.0f});
     ImGui::Begin("activity", nullptr, box_flags | ImGuiWindowFlags_NoInputs);
     ImGui::TextUnformatted(text.c_str());
@@ -198,43 +198,6 @@ void draw_help(AppState& app, Widgets& widgets) {
     if (widgets.button("Close keys", "Key Esc")) app.help_shown = false;
     claim_window(app);
     ImGui::End();
-}
-
-void draw_legend(const AppState& app) {
-    const Area& view = app.view_area;
-    const float scale = ImGui::GetFontSize() / usual_font;
-    const float width = std::min(300.0f * scale, view.width() - 60.0f), height = 12.0f * scale;
-    const float line = ImGui::GetTextLineHeight();
-    const float left = (view.x0 + view.x1 - width) / 2.0f, top = view.y1 - 46.0f * scale;
-    ImDrawList* list = ImGui::GetBackgroundDrawList();
-    const ImU32 back = IM_COL32(22, 29, 39, 225), text = IM_COL32(232, 236, 241, 255);
-    list->AddRectFilled({left - 18.0f * scale, top - line - 14.0f * scale},
-                        {left + width + 18.0f * scale, view.y1 - 10.0f * scale}, back, 8.0f * scale);
-    const char* title = "Force of a spring, |k (l - L)|";
-    if (ImGui::CalcTextSize(title).x > width) title = "|k (l - L)|";
-    list->AddText({left, top - line - 5.0f * scale}, text, title);
-
-    // The shader mixes linear light; steps of the same mixture, as sRGB.
-    constexpr int steps = 24;
-    const auto srgb = [](float linear) {
-        return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
-    };
-    const auto color_at = [&](int step) {
-        const float t = float(step) / steps;
-        const ImVec4 color(srgb(1.0f - 0.20f * t), srgb(1.0f - t), srgb(1.0f - 0.985f * t), 1.0f);
-        return ImGui::ColorConvertFloat4ToU32(color);
-    };
-    for (int step = 0; step < steps; ++step) {
-        const float x0 = left + width * float(step) / steps, x1 = left + width * float(step + 1) / steps;
-        list->AddRectFilledMultiColor({x0, top}, {x1, top + height}, color_at(step), color_at(step + 1),
-                                      color_at(step + 1), color_at(step));
-    }
-    const std::string middle = fmt::format("{:.3g} N", app.status.force_scale / 2.0);
-    const std::string high = fmt::format("{:.3g} N", app.status.force_scale);
-    const float under = top + height + 3.0f * scale;
-    list->AddText({left, under}, text, "0 N");
-    list->AddText({left + (width - ImGui::CalcTextSize(middle.c_str()).x) / 2.0f, under}, text, middle.c_str());
-    list->AddText({left + width - ImGui::CalcTextSize(high.c_str()).x, under}, text, high.c_str());
 }
 
 }  // namespace drapeau

@@ -111,7 +111,7 @@ void draw_panels(AppState& app, PanelMemory& memory, UiMap& map) {
     draw_wind(app, map);
     draw_hand(app);
     draw_readout(app, memory, widgets);
-    if (app.scene.view.forces) draw_legend(app);
+    draw_legends(app, map);
     draw_scene_gallery(app, widgets);
     draw_message(app, widgets);
     draw_film(app, widgets);

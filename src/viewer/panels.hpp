@@ -46,7 +46,7 @@ void draw_question(AppState& app, Widgets& widgets);
 void draw_activity(const AppState& app);
 void draw_palette(AppState& app, Widgets& widgets);
 void draw_help(AppState& app, Widgets& widgets);
-void draw_legend(const AppState& app);
+void draw_legends(const AppState& app, UiMap& map);
 void draw_film(AppState& app, Widgets& widgets);
 void draw_film_progress(AppState& app, Widgets& widgets);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/scene.hpp"
+#include "streak.hpp"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -81,8 +82,13 @@ struct Picture {
     float reference = 0.0f;      // opacity of its wireframe; 0: there is none
     SpringKinds kinds;           // of springs
     float force_scale = 1.0f;    // N, of the reddest colour
-    glm::ivec4 hidden{0};        // x, y, width, height of what panels will cover, pixels from below: not drawn
-    float pixel_scale = 1.0f;    // pixels of the picture per unit of line width
+    Colours colours = Colours::red;
+    bool stretch = false;         // the cloth is coloured by it
+    float stretch_scale = 1.0f;   // share, at the ends of its colours
+    std::vector<Streak> streaks;  // of the wind
+    std::vector<Streak> velocities;
+    glm::ivec4 hidden{0};      // x, y, width, height of what panels will cover, pixels from below: not drawn
+    float pixel_scale = 1.0f;  // pixels of the picture per unit of line width
     Stage stage;
     Background background = Background::sky;
 

@@ -14,6 +14,10 @@ bool same(const FieldBuffer<float>& a, const FieldBuffer<float>& b) {
     return true;
 }
 
+const LineLook streak_look{.widths = {0.9f, 1.7f}, .opacities = {0.05f, 0.4f}};
+const LineLook velocity_look{.color = {1.0f, 0.72f, 0.05f}, .widths = {3.2f, 1.0f}, .casing = 0.8f};
+constexpr float behind_cloth = 0.3f;  // of its opacity
+
 }  // namespace
 
 Renderer::Renderer() : block_(make_buffer()) {
@@ -62,6 +66,7 @@ void Renderer::draw_shadow(const Picture& picture) {
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_TEST);
     mesh_ = surface_.follow(grid_, {picture.kinds.fly.rest, picture.kinds.hoist.rest}, picture.bare_grid);
+    if (picture.stretch && mesh_.index_count > 0) stretch_.follow(grid_, picture.kinds);
     sun_map_.begin();
     if (picture.cloth) cloth_.draw_towards_sun(mesh_, picture, texture_);
     solids_.draw_towards_sun(picture.stage);
@@ -102,16 +107,31 @@ void Renderer::draw_scene(const Picture& picture) {
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
-    const bool chain = grid_.columns() == 1 || grid_.rows() == 1;
-    if (picture.springs || picture.forces || chain) springs_.draw(grid_, picture, texture_);
-    if (picture.masses || chain) masses_.draw(grid_, picture);
-    if (picture.reference > 0.0f) {
-        reference_.bind();
-        springs_.draw_wireframe(reference_, picture);
-    }
+    draw_lines(picture);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
+}
+
+// What is behind comes first: none of these hides another by its depth.
+void Renderer::draw_lines(const Picture& picture) {
+    const bool chain = grid_.columns() == 1 || grid_.rows() == 1;
+    lines_.draw(picture.streaks, streak_look);
+    if (picture.reference > 0.0f) {
+        reference_.bind();
+        springs_.draw_wireframe(reference_, picture);
+        grid_.bind();
+    }
+    if (picture.springs || picture.forces || chain) springs_.draw(grid_, picture, texture_);
+    if (picture.masses || chain) masses_.draw(grid_, picture);
+    if (picture.velocities.empty()) return;
+    LineLook look = velocity_look;
+    look.lift = 0.25f * std::min(picture.kinds.fly.rest, picture.kinds.hoist.rest);
+    lines_.draw(picture.velocities, look);
+    glDepthFunc(GL_GREATER);
+    look.opacities *= behind_cloth;
+    lines_.draw(picture.velocities, look);
+    glDepthFunc(GL_LEQUAL);
 }
 
 void Renderer::draw_background(const Picture& picture) const {

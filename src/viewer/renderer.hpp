@@ -7,12 +7,14 @@
 #include "flag_texture.hpp"
 #include "frame_block.hpp"
 #include "grid_textures.hpp"
+#include "line_pass.hpp"
 #include "mass_pass.hpp"
 #include "person_pass.hpp"
 #include "picture.hpp"
 #include "render_target.hpp"
 #include "solid_pass.hpp"
 #include "spring_pass.hpp"
+#include "stretch_map.hpp"
 #include "studio_pass.hpp"
 #include "sun_map.hpp"
 
@@ -39,11 +41,13 @@ private:
     void draw_shadow(const Picture& picture);  // and the smooth surface
     void draw_scene(const Picture& picture);
     void draw_background(const Picture& picture) const;
+    void draw_lines(const Picture& picture);  // and points
 
     GlBuffer block_;
     GridTextures grid_, reference_;
     ClothSurface surface_;
     ClothMesh mesh_;
+    StretchMap stretch_;
     SunView sun_view_;
     SunMap sun_map_;
     FlagTexture texture_;
@@ -51,6 +55,7 @@ private:
     SolidPass solids_;
     SpringPass springs_;
     MassPass masses_;
+    LinePass lines_;
     PersonPass person_;
     BackdropPass backdrop_;
     StudioPass studio_;

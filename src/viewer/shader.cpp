@@ -85,6 +85,7 @@ Shader::Shader(const std::string& vertex, const std::string& fragment) : program
     set("surface_place", 5);
     set("surface_normal", 6);
     set("sun_map", 7);
+    set("stretch_of_masses", 8);
 }
 
 void Shader::set(const char* name, int value) const {
@@ -101,6 +102,9 @@ void Shader::set(const char* name, glm::vec2 value) const {
 }
 void Shader::set(const char* name, glm::vec3 value) const {
     glUniform3f(glGetUniformLocation(program_.id(), name), value.x, value.y, value.z);
+}
+void Shader::set(const char* name, std::span<const glm::vec3> values) const {
+    glUniform3fv(glGetUniformLocation(program_.id(), name), GLsizei(values.size()), &values[0].x);
 }
 
 }  // namespace drapeau

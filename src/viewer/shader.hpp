@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 namespace drapeau {
@@ -28,6 +29,7 @@ public:
     void set(const char* name, glm::ivec2 value) const;
     void set(const char* name, glm::vec2 value) const;
     void set(const char* name, glm::vec3 value) const;
+    void set(const char* name, std::span<const glm::vec3> values) const;
 
 private:
     GlProgram program_;

@@ -91,6 +91,8 @@ public:
     /// Whether a reference run follows, from where the run is when it begins. It begins anew with every change.
     void follow_reference(bool wanted);
     void restart_reference();
+    /// Whether moments come with velocities, from the present one on.
+    void give_velocities(bool wanted);
     bool take_reference(ReferenceRun::Gap& newest);  // false if nothing is new since the last call
     std::string reference_trouble() const;           // why it does not go on; empty while it does
 
@@ -123,6 +125,8 @@ private:
     bool advance(long long steps);
     void begin_reference();
     void give_fork() noexcept;
+    void give_now() noexcept;
+    bool gives_velocities() const;
     void publish(bool fresh);
     void fail(std::string_view why) noexcept;
 
@@ -139,6 +143,7 @@ private:
     std::optional<Pull> pull_;
     std::shared_ptr<ReferenceRun> reference_;  // only the thread replaces it
     bool reference_wanted_ = false, reference_asked_ = false;
+    bool velocities_wanted_ = false, velocities_asked_ = false;
     Timeline timeline_;
     bool fork_asked_ = false;
     std::optional<Fork> fork_;

@@ -93,11 +93,12 @@ void SimulationThread::work() {
     while (true) {
         wanted_.wait(lock, [this] {
             return ending_ || change_ || batches_ > 0 || single_steps_ > 0 || part_ > 0 || reference_asked_ ||
-                   fork_asked_;
+                   velocities_asked_ || fork_asked_;
         });
         if (ending_) return;
         busy_ = true;
         const bool reference_only = !change_ && batches_ == 0 && single_steps_ == 0 && part_ == 0;
+        const bool moves = std::exchange(velocities_asked_, false);
         const bool begins = std::exchange(reference_asked_, false), forks = std::exchange(fork_asked_, false);
         const std::optional<Change> change = std::exchange(change_, std::nullopt);
         if (change && change->scene.flag.start == Start::hanging) settles_since_ = std::chrono::steady_clock::now();
@@ -108,6 +109,7 @@ void SimulationThread::work() {
         lock.unlock();
         if (begins) begin_reference();  // whatever becomes of a change, which begins one of its own
         if (forks) give_fork();
+        if (moves && reference_only) give_now();
         const bool advanced = !reference_only && carry_out(change, steps);
         lock.lock();
         if (now_.divergence || failed_)
@@ -279,8 +281,20 @@ void SimulationThread::give_fork() noexcept {
     }
 }
 
+/// The present moment again, with what is asked of it now.
+void SimulationThread::give_now() noexcept {
+    try {
+        publish(true);
+    } catch (const std::exception&) {  // it comes with the next batch
+    }
+}
+
 void SimulationThread::publish(bool fresh) {
     simulation_.snapshot(now_.snapshot);
+    if (gives_velocities())
+        simulation_.velocity(now_.snapshot);
+    else
+        now_.snapshot.velocity = {};
     now_.readings = fresh ? simulation_.readings() : simulation_.recent_readings();
     now_.dt = simulation_.dt();
     now_.steps_per_batch = simulation_.steps_per_batch();

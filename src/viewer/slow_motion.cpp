@@ -10,17 +10,23 @@ bool alike(const Snapshot& a, const Snapshot& b) {
     return a.position.columns() == b.position.columns() && a.position.rows() == b.position.rows();
 }
 
+void mix(const FieldBuffer<float>& from, const FieldBuffer<float>& to, float weight, FieldBuffer<float>& into) {
+    for (int c = 0; c < 3; ++c) {
+        const auto& early = from.component(c);
+        std::transform(early.begin(), early.end(), to.component(c).begin(), into.component(c).begin(),
+                       [weight](float a, float b) { return a + weight * (b - a); });
+    }
+}
+
 }  // namespace
 
 void interpolate(const Snapshot& from, const Snapshot& to, double share, Snapshot& into) {
     into = to;
     if (!alike(from, to) || share >= 1.0) return;
     const float weight = float(std::max(0.0, share));
-    for (int c = 0; c < 3; ++c) {
-        const auto& early = from.position.component(c);
-        std::transform(early.begin(), early.end(), to.position.component(c).begin(), into.position.component(c).begin(),
-                       [weight](float a, float b) { return a + weight * (b - a); });
-    }
+    mix(from.position, to.position, weight, into.position);
+    if (from.velocity.columns() == to.velocity.columns() && from.velocity.rows() == to.velocity.rows())
+        mix(from.velocity, to.velocity, weight, into.velocity);
     into.time = from.time + share * (to.time - from.time);
 }
 

@@ -1,5 +1,7 @@
 #include "spring_pass.hpp"
 
+#include "colour_scale.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -9,6 +11,13 @@ namespace {
 
 const glm::vec3 dark(0.012f, 0.015f, 0.022f), light(0.93f, 0.92f, 0.88f);  // linear
 const glm::vec3 ghostly(0.0f, 0.62f, 0.36f);
+
+/// How much slack springs stand back, so that those that pull stand out: white ones before dark cloth most, a chain,
+/// which has no others, not at all.
+float slack_presence(const Picture& picture, bool on_cloth, bool chain) {
+    if (chain) return 1.0f;
+    return on_cloth && picture.colours == Colours::red ? 0.35f : 0.6f;
+}
 
 }  // namespace
 
@@ -22,7 +31,10 @@ void SpringPass::draw(const GridTextures& grid, const Picture& picture, const Fl
     shader_.set("on_picture", on_picture ? 1 : 0);
     shader_.set("by_force", picture.forces ? 1 : 0);
     shader_.set("force_scale", picture.force_scale);
-    shader_.set("slack_presence", on_cloth ? 0.35f : 1.0f);
+    shader_.set("scale_colours", force_colours(picture.colours));
+    shader_.set("dashed", 0);
+    shader_.set("casing", picture.forces && (!on_cloth || picture.stretch) ? 0.7f : 0.0f);
+    shader_.set("slack_presence", slack_presence(picture, on_cloth, chain));
     shader_.set("lift", 0.12f * std::min(picture.kinds.fly.rest, picture.kinds.hoist.rest));
     shader_.set("color", on_cloth ? light : dark);
     if (on_picture) {
@@ -49,9 +61,12 @@ void SpringPass::draw_wireframe(const GridTextures& grid, const Picture& picture
     shader_.set("grid", glm::ivec2(grid.columns(), grid.rows()));
     shader_.set("on_picture", 0);
     shader_.set("by_force", 0);
+    const bool others = picture.springs || picture.forces || (picture.stretch && picture.cloth);
+    shader_.set("dashed", others ? 1 : 0);
+    shader_.set("casing", 0.0f);
     shader_.set("lift", 0.24f * std::min(picture.kinds.fly.rest, picture.kinds.hoist.rest));
     shader_.set("color", ghostly);
-    shader_.set("width", 1.6f);
+    shader_.set("width", others ? 1.2f : 1.6f);
     shader_.set("opacity", picture.reference);
     draw_kind(grid, {1, 0}, picture.kinds.fly);
     draw_kind(grid, {0, 1}, picture.kinds.hoist);

@@ -14,7 +14,8 @@ public:
     SpringPass() : nothing_(make_vertex_array()) {}
 
     void draw(const GridTextures& grid, const Picture& picture, const FlagTexture& texture) const;
-    /// Springs along the fly and the hoist, in one colour, in front of what is as far away.
+    /// Springs along the fly and the hoist, in one colour, in front of what is as far away; thin dashes where other
+    /// lines or colours are to be read too, which are drawn over it.
     void draw_wireframe(const GridTextures& grid, const Picture& picture) const;
 
 private:

@@ -54,6 +54,8 @@
 //   palette          1 while the command palette is open
 //   undo redo        what would be undone or redone, or nothing
 //   force_scale      newtons of the reddest colour of the force colours
+//   legend           what the colours and lengths mean: each title, its numbers, and whether they are fixed or
+//                    automatic; " | " between legends
 //   measuring        the share that is done of a measurement under way, or nothing
 //   film             frames that are written of a film under way, or nothing
 //   gl_errors        OpenGL errors since the start (debug context)

@@ -231,6 +231,7 @@ void Viewer::send_settings() {
         simulation_.apply(app_.scene, ++revision_);
     if (app_.commands.restart || changed) sent_ = app_.scene;
     simulation_.follow_reference(app_.scene.view.reference);
+    simulation_.give_velocities(app_.scene.view.velocities);
     if (app_.commands.restart_reference) simulation_.restart_reference();
 }
 
@@ -284,6 +285,8 @@ void Viewer::show_moment() {
     Status& status = app_.status;
     renderer_.upload(moment_.snapshot);
     force_scale_.follow(moment_.readings.rms_spring_force);
+    if (app_.scene.view.stretch) stretch_scale_.follow(moment_.snapshot.position, moment_.kinds);
+    if (app_.scene.view.velocities) speed_scale_.follow(moment_.snapshot.velocity);
     if (repeatable() && moment_.stands() && !status.stands()) complain("drapeau", app_.message.text);
     status.readings = moment_.readings;
     status.divergence = moment_.divergence;
@@ -308,6 +311,8 @@ void Viewer::show_moment() {
     status.pull_force = moment_.pull_force;
     status.step_seconds = moment_.step_seconds;
     status.force_scale = force_scale_.newtons();
+    status.stretch_scale = stretch_scale_.share();
+    status.speed_scale = speed_scale_.end();
 }
 
 void Viewer::receive(double passed) {

@@ -22,8 +22,10 @@
 #include "scene_watch.hpp"
 #include "simulation_thread.hpp"
 #include "slow_motion.hpp"
+#include "stretch.hpp"
 #include "thumbnail_textures.hpp"
 #include "ui_map.hpp"
+#include "velocity_lines.hpp"
 #include "window.hpp"
 
 #include <memory>
@@ -136,6 +138,9 @@ private:
     Framing framing_;
     Pacer pacer_;
     ForceScale force_scale_;
+    StretchScale stretch_scale_;
+    SpeedScale speed_scale_;
+    ViewSettings seen_view_;  // of the frame before
 
     Moment newest_;            // of the run
     Moment moment_;            // that is shown: the newest, one between two, or a kept one

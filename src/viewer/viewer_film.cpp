@@ -36,7 +36,7 @@ glm::vec3 middle_of(const FieldBuffer<float>& position) {
     return glm::vec3(sum / std::max(1.0, double(position.columns()) * position.rows()));
 }
 
-Picture Filming::picture(const FilmFrame& frame) const {
+Picture Filming::picture(const FilmFrame& frame) {
     const Area whole{0.0f, 0.0f, float(target.width()), float(target.height())};
     Picture shown = view;
     shown.stage = stage_of(scene);
@@ -47,7 +47,14 @@ Picture Filming::picture(const FilmFrame& frame) const {
     shown.projection = camera.projection(framing, whole, {whole.x1, whole.y1});
     shown.eye = camera.eye(framing, whole);
     shown.reference = 0.0f;
-    shown.force_scale = float(frame.force_scale);
+    shown.force_scale = float(settings.force_range.value_or(frame.force_scale));
+    if (settings.stretch) stretch_scale.follow(frame.snapshot.position, shown.kinds);
+    shown.stretch_scale = float(settings.stretch_range.value_or(stretch_scale.share()));
+    shown.streaks.clear();  // they drift with the window's moments
+    if (settings.velocities) {
+        speed_scale.follow(frame.snapshot.velocity);
+        shown.velocities = velocities_of(frame.snapshot, scene.flag, speed_scale.end());
+    }
     shown.hidden = glm::ivec4(0);
     shown.pixel_scale = std::max(1.0f, whole.y1 / line_height);
     return shown;
@@ -60,7 +67,8 @@ void Viewer::begin_film(const FilmPlan& plan, const Scene& scene, std::optional<
                                .target = RenderTarget(plan.width, plan.height, samples),
                                .view = picture(),
                                .camera = camera_,
-                               .scene = scene});
+                               .scene = scene,
+                               .settings = app_.scene.view});
 }
 
 /// One frame at most: the window is drawn in between.

@@ -2,6 +2,7 @@
 #include "viewer.hpp"
 
 #include "hand_overlay.hpp"
+#include "legend.hpp"
 #include "stage.hpp"
 
 #include "io/error.hpp"
@@ -76,7 +77,13 @@ Picture Viewer::picture() const {
             .header = has_header(flag),
             .reference = reference_opacity(app_.status),
             .kinds = moment_.kinds,
-            .force_scale = float(app_.status.force_scale),
+            .force_scale = float(force_end(app_)),
+            .colours = view.colours,
+            .stretch = view.stretch,
+            .stretch_scale = float(stretch_end(app_)),
+            .streaks = view.wind && app_.scene.wind() ? app_.streaks.streaks() : std::vector<Streak>{},
+            .velocities = view.velocities ? velocities_of(moment_.snapshot, flag, app_.status.speed_scale)
+                                          : std::vector<Streak>{},
             .hidden = pixels_under(app_.panel_area, pixel_scale, target_.height()),
             .pixel_scale = pixel_scale,
             .stage = stage_of(moment_.scene, view.person),
@@ -186,7 +193,7 @@ void Viewer::write_map() {
     map_.state("palette", app_.palette.open ? "1" : "0");
     map_.state("undo", app_.history.undone());
     map_.state("redo", app_.history.redone());
-    map_.state("force_scale", status.force_scale);
+    map_.state("force_scale", force_end(app_));
     map_.state("reference_mm", status.reference ? 1e3 * status.reference->rms : -1.0);
     map_.state("measuring", app_.findings.under_way ? rounded(app_.findings.share, 3) : "");
     map_.state("film", app_.film.under_way ? std::to_string(app_.film.written) : "");

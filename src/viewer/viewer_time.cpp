@@ -27,6 +27,7 @@ void Viewer::look_at(const KeptMomentPtr& kept) {
     if (std::exchange(looked_at_, kept) != kept) {
         moment_ = *kept->moment;
         kept->run->snapshot(moment_.snapshot);
+        moment_.snapshot.velocity = {};
         take_settings_of(moment_);
         picture_changed_ = true;
     }
@@ -102,6 +103,7 @@ void Viewer::play_backwards(double seconds) {
     Snapshot from, to;
     early->run->snapshot(from);
     late->run->snapshot(to);
+    if (app_.scene.view.velocities) early->run->velocity(from), late->run->velocity(to);
     interpolate(from, to, (time - from.time) / (to.time - from.time), moment_.snapshot);
     picture_changed_ = true;
 }
@@ -170,7 +172,10 @@ void Viewer::receive_moment() {
         if (is_slow() && !slow_.empty()) slow_.show(moment_.snapshot);
         picture_changed_ = picture_changed_ || fresh || ends || is_slow();
     }
-    if (std::exchange(picture_changed_, false)) show_moment();
+    const bool other_view = std::exchange(seen_view_, app_.scene.view) != app_.scene.view;
+    if (app_.scene.view.velocities && looked_at_ && moment_.snapshot.velocity.columns() == 0)
+        looked_at_->run->velocity(moment_.snapshot);
+    if (std::exchange(picture_changed_, false) || other_view) show_moment();
     receive_history();
 }
 

@@ -22,17 +22,6 @@ ImVec2 at(glm::vec2 p) {
     return {p.x, p.y};
 }
 
-void draw_streaks(const AppState& app, ImDrawList* list, float scale) {
-    for (const Streak& streak : app.streaks.streaks()) {
-        const auto from = seen_at(app.lens, streak.from), to = seen_at(app.lens, streak.to);
-        if (!from || !to || streak.strength <= 0.0f) continue;
-        const auto alpha = int(105.0f * streak.strength);
-        const glm::vec2 middle = 0.5f * (*from + *to);
-        list->AddLine(at(*from), at(middle), IM_COL32(255, 255, 255, alpha / 2), 1.0f * scale);
-        list->AddLine(at(middle), at(*to), IM_COL32(255, 255, 255, alpha), 1.6f * scale);
-    }
-}
-
 /// A flat arrow in the picture; where the wind blows along the view it is short.
 void draw_arrow(ImDrawList* list, glm::vec2 tail, glm::vec2 tip, float scale) {
     const float length = glm::length(tip - tail), head = 13.0f * scale;
@@ -55,7 +44,6 @@ void draw_wind(const AppState& app, UiMap& map) {
     if (!app.scene.view.wind || !wind) return map.state("wind_shown", "");
     const float scale = ImGui::GetFontSize() / usual_font;
     ImDrawList* list = ImGui::GetBackgroundDrawList();
-    draw_streaks(app, list, scale);
     const glm::dvec3 now = wind->at(app.status.time);
     const double speed = glm::length(now);
     const auto& flag = app.scene.flag;

@@ -1,4 +1,4 @@
-// The wind as it is shown: an arrow and streaks in the picture, a dial on the page of the wind.
+// The wind as it is shown: an arrow over the picture, a dial on the page of the wind.
 #pragma once
 
 #include "app_state.hpp"
@@ -7,7 +7,7 @@
 
 namespace drapeau {
 
-/// An arrow above the flag, as long as the wind of this moment is fast, its speed beside it, and the streaks.
+/// An arrow above the flag, as long as the wind of this moment is fast, its speed beside it.
 void draw_wind(const AppState& app, UiMap& map);
 
 /// A dial seen from above: its handle stands where the wind blows to, as far out as it is fast. `speed` (m/s) and

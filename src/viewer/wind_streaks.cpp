@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace drapeau {
 
@@ -11,6 +12,8 @@ namespace {
 
 constexpr double longest_drift = 0.25;  // s; what is longer was a jump
 constexpr double fades_within = 0.12;   // of the box, from a face
+constexpr double life = 1.2;            // s, of a mote
+constexpr double fades_for = 0.15;      // of its life, at both ends
 
 struct Box {
     glm::dvec3 low, size;
@@ -28,26 +31,31 @@ double wrapped(double share) {
 
 }  // namespace
 
+// Gusts gather motes where the wind slackens, and all would come to drift there: each begins anew before long.
 void WindStreaks::drift(const Wind& wind, const Framing& framing, double time) {
-    if (places_.empty())
-        for (int n = 0; n < count; ++n) {
-            glm::dvec3& place = places_.emplace_back();
-            for (int axis = 0; axis < 3; ++axis) place[axis] = wrapped(random_at(7, std::uint64_t(axis), n));
-        }
+    places_.resize(count, glm::dvec3(0.0));
+    lives_.resize(count, -1);
     const Box box = around(framing);
     const double passed = time - time_;
     const bool drifts = passed > 0.0 && passed < longest_drift;
     time_ = time;
+    if (drifts) drifted_ += passed;
     streaks_.clear();
-    for (glm::dvec3& place : places_) {
+    for (std::size_t n = 0; n < places_.size(); ++n) {
+        glm::dvec3& place = places_[n];
+        const double lived = drifted_ / life + double(n) / count, age = lived - std::floor(lived);
+        const bool begins = std::exchange(lives_[n], std::int64_t(lived)) != std::int64_t(lived);
+        if (begins)
+            for (int axis = 0; axis < 3; ++axis)
+                place[axis] = wrapped(random_at(7, std::uint64_t(axis), lives_[n] * count + std::int64_t(n)));
         const glm::dvec3 here = wind.at(time, box.low + place * box.size);
-        double inside = 1.0;
+        double strength = std::min({1.0, age / fades_for, (1.0 - age) / fades_for});
         for (int axis = 0; axis < 3; ++axis) {
-            if (drifts) place[axis] = wrapped(place[axis] + here[axis] * passed / box.size[axis]);
-            inside = std::min({inside, place[axis] / fades_within, (1.0 - place[axis]) / fades_within});
+            if (drifts && !begins) place[axis] = wrapped(place[axis] + here[axis] * passed / box.size[axis]);
+            strength = std::min({strength, place[axis] / fades_within, (1.0 - place[axis]) / fades_within});
         }
         const glm::dvec3 to = box.low + place * box.size;
-        streaks_.push_back({glm::vec3(to - double(trail) * here), glm::vec3(to), float(inside)});
+        streaks_.push_back({glm::vec3(to - double(trail) * here), glm::vec3(to), float(strength)});
     }
 }
 

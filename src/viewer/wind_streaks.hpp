@@ -4,17 +4,14 @@
 
 #include "camera.hpp"
 #include "scene/scene.hpp"
+#include "streak.hpp"
 
 #include <glm/vec3.hpp>
 
+#include <cstdint>
 #include <vector>
 
 namespace drapeau {
-
-struct Streak {
-    glm::vec3 from{0.0f}, to{0.0f};  // m; from where the air was a moment ago
-    float strength = 0.0f;           // 0 at the faces of the box, 1 well inside
-};
 
 class WindStreaks {
 public:
@@ -23,12 +20,14 @@ public:
 
     /// Lets the motes drift from the last moment to this one (s). After a jump in time they are where they were.
     void drift(const Wind& wind, const Framing& framing, double time);
+    /// Each from where its air was a moment ago; strong well inside the box, nothing at its faces.
     const std::vector<Streak>& streaks() const { return streaks_; }
 
 private:
-    std::vector<glm::dvec3> places_;  // in shares of the box
+    std::vector<glm::dvec3> places_;   // in shares of the box
+    std::vector<std::int64_t> lives_;  // how many each has begun
     std::vector<Streak> streaks_;
-    double time_ = 0.0;
+    double time_ = 0.0, drifted_ = 0.0;  // s
 };
 
 /// The Beaufort force of a wind (m/s, 10 m above ground), 0 to 12: the limits are those of the WMO's scale in m/s.

@@ -10,16 +10,16 @@ using namespace drapeau::window_tests;
 namespace {
 
 /// Every key that does something but those that end the program, and some that mean nothing.
-const std::vector<std::string> keys{"space",  "period", "r",           "comma",       "n",
-                                    "Prior",  "Next",   "BackSpace",   "bracketleft", "1",
-                                    "t",      "s",      "d",           "f",           "m",
-                                    "c",      "g",      "w",           "u",           "l",
-                                    "h",      "o",      "a",           "p",           "bracketright",
-                                    "F1",     "Escape", "Return",      "Left",        "Right",
-                                    "Up",     "Down",   "plus",        "minus",       "Home",
-                                    "Tab",    "ctrl+z", "ctrl+y",      "ctrl+p",      "ctrl+c",
-                                    "ctrl+v", "ctrl+r", "Delete",      "KP_Multiply", "KP_Divide",
-                                    "x",      "7",      "ctrl+shift+z"};
+const std::vector<std::string> keys{"space",  "period", "r",         "comma",       "n",
+                                    "Prior",  "Next",   "BackSpace", "bracketleft", "1",
+                                    "t",      "s",      "d",         "f",           "m",
+                                    "c",      "g",      "w",         "u",           "l",
+                                    "h",      "o",      "a",         "p",           "bracketright",
+                                    "F1",     "Escape", "Return",    "Left",        "Right",
+                                    "Up",     "Down",   "plus",      "minus",       "Home",
+                                    "Tab",    "ctrl+z", "ctrl+y",    "ctrl+p",      "ctrl+c",
+                                    "ctrl+v", "ctrl+r", "Delete",    "KP_Multiply", "KP_Divide",
+                                    "e",      "v",      "x",         "7",           "ctrl+shift+z"};
 
 struct Hand {
     Screen& screen;

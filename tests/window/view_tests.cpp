@@ -139,7 +139,8 @@ TEST_CASE_METHOD(ViewOfStillFlag, "every key of the view does what its switch do
     app.click("Page: View");
     for (const auto& [key, label] : {std::pair{"t", "Texture"}, std::pair{"s", "Springs"}, std::pair{"d", "Diagonals"},
                                      std::pair{"f", "Force colours"}, std::pair{"m", "Masses"}, std::pair{"c", "Cloth"},
-                                     std::pair{"g", "Reference"}, std::pair{"w", "Wind shown"}}) {
+                                     std::pair{"g", "Reference"}, std::pair{"w", "Wind shown"},
+                                     std::pair{"e", "Stretch colours"}, std::pair{"v", "Velocities"}}) {
         CAPTURE(key);
         const std::string before = app.settle().controls.at(label).value;
         app.press(key);
