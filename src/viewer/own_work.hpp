@@ -1,0 +1,33 @@
+// OwnWork: the processor time that a frame costs the window itself: input, settings, what the picture is made from and
+// panels. Not counted: the graphics driver, waiting, and the simulation, which has threads of its own.
+#pragma once
+
+#include "measure/clocks.hpp"
+
+namespace drapeau {
+
+class OwnWork {
+public:
+    using Clock = double (*)();  // s
+
+    explicit OwnWork(Clock clock = thread_seconds) : clock_(clock) {}
+
+    void begin() { begun_ = clock_(); }
+    /// Until the next begin, time is not counted.
+    void pause() { spent_ += clock_() - begun_; }
+    /// After the last pause of a frame.
+    void end_frame() {
+        constexpr double newest = 0.05;  // of the average: about the last 20 frames
+        seconds_ += (spent_ - seconds_) * (seconds_ > 0.0 ? newest : 1.0);
+        spent_ = 0.0;
+    }
+
+    /// s a frame, averaged; 0 before the first has ended.
+    double seconds() const { return seconds_; }
+
+private:
+    Clock clock_;
+    double begun_ = 0.0, spent_ = 0.0, seconds_ = 0.0;  // s
+};
+
+}  // namespace drapeau
