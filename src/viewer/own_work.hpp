@@ -4,6 +4,8 @@
 
 #include "measure/clocks.hpp"
 
+#include <algorithm>
+
 namespace drapeau {
 
 class OwnWork {
@@ -15,19 +17,21 @@ public:
     void begin() { begun_ = clock_(); }
     /// Until the next begin, time is not counted.
     void pause() { spent_ += clock_() - begun_; }
-    /// After the last pause of a frame.
+    /// After the last pause of a frame. The first frame does not count: it makes what all others use.
     void end_frame() {
         constexpr double newest = 0.05;  // of the average: about the last 20 frames
-        seconds_ += (spent_ - seconds_) * (seconds_ > 0.0 ? newest : 1.0);
+        if (frames_ > 0) seconds_ += (spent_ - seconds_) * std::max(newest, 1.0 / double(frames_));
+        ++frames_;
         spent_ = 0.0;
     }
 
-    /// s a frame, averaged; 0 before the first has ended.
+    /// s a frame, averaged; 0 before the second has ended.
     double seconds() const { return seconds_; }
 
 private:
     Clock clock_;
     double begun_ = 0.0, spent_ = 0.0, seconds_ = 0.0;  // s
+    long long frames_ = 0;
 };
 
 }  // namespace drapeau
