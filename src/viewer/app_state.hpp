@@ -100,6 +100,7 @@ struct Status {
     double real_time_factor = 0.0;
     double step_seconds = 0.0;      // wall-clock
     double frame_seconds = 0.0;     // wall-clock
+    double own_seconds = 0.0;       // processor time of the window itself in a frame; see OwnWork
     double flag_proportions = 0.0;  // of the texture, width / height; 0 without one
     bool image_has_holes = false;   // parts that may be cut out
 

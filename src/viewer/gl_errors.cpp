@@ -5,15 +5,25 @@
 #include <GL/glew.h>
 
 #include <fmt/format.h>
+
+#include <cstdlib>
 #include <string>
 
 namespace drapeau {
 
 namespace {
 
+bool everything_wanted() {
+    const char* debug = std::getenv("DRAPEAU_GL_DEBUG");
+    return debug && std::string(debug) == "all";
+}
+
 void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message, const void* user) {
-    if (type != GL_DEBUG_TYPE_ERROR && type != GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR) return;
-    static_cast<GlErrors*>(const_cast<void*>(user))->add(message);
+    static const bool prints_notes = everything_wanted();
+    if (type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR)
+        static_cast<GlErrors*>(const_cast<void*>(user))->add(message);
+    else if (prints_notes)
+        complain("drapeau", std::string("OpenGL, a note: ") + message);
 }
 
 }  // namespace

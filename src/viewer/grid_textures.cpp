@@ -11,9 +11,8 @@ GridTextures::GridTextures() : x_(make_texture()), y_(make_texture()), z_(make_t
     }
 }
 
-void GridTextures::upload(const Snapshot& snapshot) {
-    const auto& position = snapshot.position;
-    if (position.columns() != columns_ || position.rows() != rows_) allocate(snapshot);
+void GridTextures::upload(const FieldBuffer<float>& position) {
+    if (position.columns() != columns_ || position.rows() != rows_) allocate(position);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     int component = 0;
     for (const GLuint id : {x_.id(), y_.id(), z_.id()}) {
@@ -23,10 +22,10 @@ void GridTextures::upload(const Snapshot& snapshot) {
     }
 }
 
-void GridTextures::allocate(const Snapshot& snapshot) {
-    columns_ = snapshot.position.columns();
-    rows_ = snapshot.position.rows();
-    stride_ = snapshot.position.stride();
+void GridTextures::allocate(const FieldBuffer<float>& position) {
+    columns_ = position.columns();
+    rows_ = position.rows();
+    stride_ = position.stride();
     for (const GLuint id : {x_.id(), y_.id(), z_.id()}) {
         glBindTexture(GL_TEXTURE_2D, id);
         glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, stride_, rows_, 0, GL_RED, GL_FLOAT, nullptr);

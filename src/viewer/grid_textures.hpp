@@ -4,7 +4,7 @@
 
 #include "gl_objects.hpp"
 #include "grid_triangles.hpp"
-#include "run/simulation.hpp"
+#include "drapeau/state.hpp"
 
 namespace drapeau {
 
@@ -12,7 +12,7 @@ class GridTextures {
 public:
     GridTextures();
 
-    void upload(const Snapshot& snapshot);
+    void upload(const FieldBuffer<float>& position);
     void bind() const;  // units 0, 1, 2
 
     int columns() const { return columns_; }
@@ -20,7 +20,7 @@ public:
     const GridTriangles& triangles() const { return triangles_; }
 
 private:
-    void allocate(const Snapshot& snapshot);
+    void allocate(const FieldBuffer<float>& position);
 
     GlTexture x_, y_, z_;
     GridTriangles triangles_;

@@ -155,8 +155,11 @@ void Gui::begin(const GuiFrame& frame, const std::vector<InputEvent>& events) {
             if (character == ',') character = '.';
 }
 
-void Gui::draw() {
+void Gui::end() {
     ImGui::Render();
+}
+
+void Gui::draw() {
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 

@@ -30,6 +30,7 @@ public:
     /// `events`: what happened to the window since the last frame.
     void begin(const GuiFrame& frame, const std::vector<InputEvent>& events);
     bool has_waiting_keys() const { return keys_.has_waiting(); }  // for the next frame
+    void end();                                                    // no more is added to this frame
     void draw();                                                   // into the framebuffer that is bound
 
 private:

@@ -235,8 +235,12 @@ void draw_readings(const AppState& app, Widgets& widgets) {
     for (const Remark& remark : remarks_on(app)) widgets.remark(remark.label, remark.text, remark.tip);
     widgets.reading("Work", (s.clock ? quantity(s.step_seconds, "s") : std::string(none)) + " a step",
                     "Wall-clock time of one step.");
-    widgets.reading("Frame", s.clock ? quantity(s.frame_seconds, "s") : std::string(none),
-                    "Wall-clock time from picture to picture.");
+    widgets.reading(
+        "Frame",
+        s.clock ? quantity(s.frame_seconds, "s") + ",  own " + quantity(s.own_seconds, "s") : std::string(none),
+        "Wall-clock time from picture to picture; and the processor time that the window itself takes of it, for "
+        "input, "
+        "panels and what the picture is made from, without the graphics driver and the simulation.");
     const Readings& r = s.readings;
     show_energy(r, widgets);
     widgets.reading(

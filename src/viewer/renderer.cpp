@@ -34,13 +34,13 @@ void Renderer::send(const FrameBlock& block) {
 void Renderer::upload(const Snapshot& snapshot) {
     if (same(position_, snapshot.position)) return;
     position_ = snapshot.position;
-    grid_.upload(snapshot);
+    is_uploaded_ = false;
     sun_view_ = sun_view_of(snapshot.position);
     ++shapes_;
 }
 
 void Renderer::upload_reference(const Snapshot& snapshot) {
-    reference_.upload(snapshot);
+    reference_.upload(snapshot.position);
     ++shapes_;
 }
 
@@ -53,6 +53,7 @@ bool Renderer::wear(std::optional<Image> image) {
 void Renderer::draw(const Picture& picture, RenderTarget& target) {
     const RenderTarget::Contents contents{picture, shapes_};
     if (target.holds(contents)) return;
+    if (!std::exchange(is_uploaded_, true)) grid_.upload(position_);
     send(frame_block(picture, {target.width(), target.height()}, sun_view_, sun_map_.side()));
     draw_shadow(picture);
     target.begin_scene(contents);

@@ -18,6 +18,8 @@
 #include "studio_pass.hpp"
 #include "sun_map.hpp"
 
+#include "run/simulation.hpp"
+
 #include <optional>
 
 namespace drapeau {
@@ -26,7 +28,7 @@ class Renderer {
 public:
     Renderer();
 
-    void upload(const Snapshot& snapshot);
+    void upload(const Snapshot& snapshot);  // by the next drawing
     void upload_reference(const Snapshot& snapshot);
     /// Whether the image has holes.
     bool wear(std::optional<Image> image);
@@ -59,7 +61,8 @@ private:
     PersonPass person_;
     BackdropPass backdrop_;
     StudioPass studio_;
-    FieldBuffer<float> position_;  // that was uploaded
+    FieldBuffer<float> position_;  // the newest
+    bool is_uploaded_ = true;      // it is
     long long shapes_ = 0;         // counts what was uploaded and worn
 };
 

@@ -58,6 +58,7 @@
 //                    automatic; " | " between legends
 //   measuring        the share that is done of a measurement under way, or nothing
 //   film             frames that are written of a film under way, or nothing
+//   own_ms           ms of processor time that a frame costs the window itself, averaged (OwnWork)
 //   gl_errors        OpenGL errors since the start (debug context)
 #pragma once
 

@@ -147,6 +147,7 @@ bool Viewer::picture_wanted() const {
 
 void Viewer::input() {
     const std::vector<InputEvent> events = wait_for_events();
+    own_work_.begin();
     // Time at rest is none that the run could be behind.
     if (rest_seconds_ > 0.0 && !runs()) last_time_ = glfwGetTime();
     had_events_ = !events.empty() || file_changed_;

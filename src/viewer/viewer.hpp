@@ -13,6 +13,7 @@
 #include "library.hpp"
 #include "loader.hpp"
 #include "options.hpp"
+#include "own_work.hpp"
 #include "pacer.hpp"
 #include "panels.hpp"
 #include "render_target.hpp"
@@ -153,6 +154,8 @@ private:
     long long revision_ = 0;       // of sent_
     RunMessages run_messages_;
     std::optional<LoadedScene> opening_;  // until the simulation has taken it
+
+    OwnWork own_work_;
 
     Rest rest_;
     double rest_seconds_ = 0.0;  // before the next frame

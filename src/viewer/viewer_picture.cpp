@@ -97,18 +97,28 @@ void Viewer::draw() {
     if (flag.attach == Attach::none && !moment_.scene.limits.get<Ground>())
         framing_.centre = middle_of(moment_.snapshot.position);
     film_frame();
-    if (picture_wanted()) renderer_.draw(picture(), target_);
+    if (!picture_wanted()) return;
+    const Picture wanted = picture();
+    own_work_.pause();
+    renderer_.draw(wanted, target_);
+    own_work_.begin();
 }
 
 void Viewer::panels() {
+    own_work_.pause();
     if (picture_wanted()) target_.begin_panels();
+    own_work_.begin();
     draw_panels(app_, panel_memory_, map_);
     note_changes();
+    gui_.end();
+    own_work_.pause();
     gui_.draw();
 }
 
 void Viewer::present() {
     ++frame_;
+    own_work_.end_frame();
+    app_.status.own_seconds = own_work_.seconds();
     if (picture_wanted()) {
         const glm::ivec2 window = window_.framebuffer_size();
         if (film_) film_->add(target_.read(options_.transparent));
@@ -197,6 +207,7 @@ void Viewer::write_map() {
     map_.state("reference_mm", status.reference ? 1e3 * status.reference->rms : -1.0);
     map_.state("measuring", app_.findings.under_way ? rounded(app_.findings.share, 3) : "");
     map_.state("film", app_.film.under_way ? std::to_string(app_.film.written) : "");
+    map_.state("own_ms", 1e3 * status.own_seconds);
     map_.state("gl_errors", gl_errors_.count());
     map_.write();
 }

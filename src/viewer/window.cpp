@@ -192,6 +192,7 @@ Window::Window(const WindowSettings& settings) {
         glfwTerminate();
         throw InputError("OpenGL 3.3 is needed and this display does not offer it (" + reason + ")");
     }
+    measure();
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(settings.vsync ? 1 : 0);
 
@@ -236,6 +237,7 @@ void Window::show(int width, int height, bool grows) {
     glfwSetWindowSize(window_, width, height);
     glfwSetWindowSizeLimits(window_, scaled(480, room.x / 2), scaled(360, room.y / 2), GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwShowWindow(window_);
+    measure();
 }
 
 bool Window::open() const {
@@ -250,6 +252,7 @@ std::vector<InputEvent> Window::poll(double wait) {
         glfwWaitEventsTimeout(wait);
     else
         glfwPollEvents();
+    measure();
     return std::exchange(queue_.events, {});
 }
 
@@ -260,16 +263,9 @@ void Window::set_title(const std::string& title) {
     glfwSetWindowTitle(window_, title.c_str());
 }
 
-glm::ivec2 Window::size() const {
-    int width = 0, height = 0;
-    glfwGetWindowSize(window_, &width, &height);
-    return {width, height};
-}
-
-glm::ivec2 Window::framebuffer_size() const {
-    int width = 0, height = 0;
-    glfwGetFramebufferSize(window_, &width, &height);
-    return {width, height};
+void Window::measure() {
+    glfwGetWindowSize(window_, &size_.x, &size_.y);
+    glfwGetFramebufferSize(window_, &framebuffer_size_.x, &framebuffer_size_.y);
 }
 
 bool Window::hidden() const {

@@ -36,15 +36,19 @@ public:
     void swap();
     void set_title(const std::string& title);
 
-    glm::ivec2 size() const;              // window units
-    glm::ivec2 framebuffer_size() const;  // pixels
-    bool hidden() const;                  // minimised, or not shown by the window manager
-    float content_scale() const;          // how much larger than usual the desktop wants text
+    // As they were at the last poll: to ask the window system again takes longer than the rest of a frame.
+    glm::ivec2 size() const { return size_; }                          // window units
+    glm::ivec2 framebuffer_size() const { return framebuffer_size_; }  // pixels
+    bool hidden() const;                                               // minimised, or not shown by the window manager
+    float content_scale() const;  // how much larger than usual the desktop wants text
     GLFWwindow* handle() const { return window_; }
 
 private:
+    void measure();
+
     GLFWwindow* window_ = nullptr;
     InputQueue queue_;
+    glm::ivec2 size_{0}, framebuffer_size_{0};
 };
 
 }  // namespace drapeau
