@@ -98,10 +98,15 @@ void set_style(float scale) {
     style.ScaleAllSizes(scale);
 }
 
+bool is_field_active(const ImGuiContext& context) {
+    return context.ActiveId != 0 && context.ActiveId == context.InputTextState.ID;
+}
+
 /// Whether a number is being typed.
 bool is_number_typed() {
     const ImGuiContext& context = *ImGui::GetCurrentContext();
-    return context.TempInputId != 0 && context.ActiveId == context.TempInputId;  // a slider that is a text field now
+    constexpr int of_number = ImGuiInputTextFlags_CharsDecimal | ImGuiInputTextFlags_CharsScientific;
+    return is_field_active(context) && (context.InputTextState.Flags & of_number) != 0;
 }
 
 const char* (*system_clipboard)(void* user) = nullptr;
@@ -136,7 +141,11 @@ Gui::~Gui() {
     ImGui::DestroyContext();
 }
 
-void Gui::begin(const GuiFrame& frame, const std::vector<InputEvent>& events) {
+bool Gui::is_text_edited() const {
+    return is_field_active(*ImGui::GetCurrentContext());
+}
+
+void Gui::begin(const GuiFrame& frame, const std::vector<InputEvent>& events, bool keeps_keys) {
     // A mouse that was there before the window came never enters it, and ImGui would not believe in it.
     const bool over = glfwGetWindowAttrib(window_, GLFW_HOVERED) != 0;
     if (over && !entered_) ImGui_ImplGlfw_CursorEnterCallback(window_, GLFW_TRUE);
@@ -147,7 +156,7 @@ void Gui::begin(const GuiFrame& frame, const std::vector<InputEvent>& events) {
     io.DisplaySize = {frame.size.x, frame.size.y};
     io.DisplayFramebufferScale = {frame.pixels_per_unit, frame.pixels_per_unit};
     if (frame.seconds > 0.0f) io.DeltaTime = frame.seconds;
-    keys_.feed(events);
+    keys_.feed(events, keeps_keys);
     ImGui::NewFrame();
     // The same for keys.
     if (is_number_typed())

@@ -99,7 +99,7 @@ void draw_opener(AppState& app, Widgets& widgets) {
 }  // namespace
 
 void draw_panels(AppState& app, PanelMemory& memory, UiMap& map) {
-    Widgets widgets(map, app.mark);
+    Widgets widgets(map, app.mark, memory.widgets);
     app.claimed.clear();
     if (app.panel_open()) {
         draw_panel(app, memory, widgets);
