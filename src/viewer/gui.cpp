@@ -67,7 +67,7 @@ void set_style(float scale) {
     style.ScrollbarRounding = 6.0f;
     style.ScrollbarSize = 11.0f;
     style.GrabMinSize = 9.0f;
-    style.WindowBorderSize = 0.0f;
+    style.WindowBorderSize = 1.0f;  // boxes may lie over the panel
     style.PopupBorderSize = 1.0f;
     style.WindowPadding = {14.0f, 12.0f};
     style.FramePadding = {7.0f, 3.0f};

@@ -29,7 +29,7 @@ public:
 
     /// `events`: what happened to the window since the last frame. `keeps_keys`: for a later frame.
     void begin(const GuiFrame& frame, const std::vector<InputEvent>& events, bool keeps_keys = false);
-    bool is_text_edited() const;  // a field has the keyboard
+    bool is_text_edited() const;                                   // a field has the keyboard
     bool has_waiting_keys() const { return keys_.has_waiting(); }  // for the next frame
     void draw();                                                   // into the framebuffer that is bound
 

@@ -28,8 +28,7 @@ void draw_scrubber(AppState& app, Widgets& widgets) {
         play.moments, double(play.bytes) / 1048576.0, double(Timeline::usual_budget) / 1048576.0,
         Timeline::longest / 60.0);
     ImGui::BeginDisabled(!some);
-    const SliderScale scale{
-        .low = play.from, .high = end, .format = "%.2f s", .at_once = true, .widest = "888.88 s"};
+    const SliderScale scale{.low = play.from, .high = end, .format = "%.2f s", .at_once = true, .widest = "888.88 s"};
     const float width = ImGui::GetContentRegionAvail().x - room;
     if (widgets.bar("Timeline", shown, scale, width, tip.c_str(), fmt::format("{:.4f}", shown)))
         app.commands.travel.to = shown;

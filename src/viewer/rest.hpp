@@ -11,7 +11,7 @@ struct Activity {
     bool hidden = false;        // nobody sees the window
     bool typing = false;        // a text cursor blinks
     double message_left = 0.0;  // s until the message goes by itself; 0: it stays, or there is none
-    double panel_left = 0.0;    // s until a control changes by itself: a tip that comes, a click that sets; 0: none does
+    double panel_left = 0.0;  // s until a control changes by itself: a tip that comes, a click that sets; 0: none does
 };
 
 class Rest {

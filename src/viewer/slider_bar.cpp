@@ -159,8 +159,8 @@ bool draw_number(const std::string& text, float width) {
         list->AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg), style.FrameRounding);
         ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
     }
-    list->AddText({low.x + 0.5f * style.FramePadding.x, low.y + style.FramePadding.y}, ImGui::GetColorU32(ImGuiCol_Text),
-                  text.c_str());
+    list->AddText({low.x + 0.5f * style.FramePadding.x, low.y + style.FramePadding.y},
+                  ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
     return clicked;
 }
 
@@ -177,6 +177,10 @@ bool edit_number(double& value, const SliderScale& scale, float width, BarMemory
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImGuiInputTextState* field = ImGui::GetInputTextState(ImGui::GetItemID());
     if (field && twice && ImRect(low, high).Contains({twice->x, twice->y})) field->SelectAll();
+    const std::string unit = unit_of(scale.format);
+    const ImVec2 extent = ImGui::CalcTextSize(unit.c_str()), padding = ImGui::GetStyle().FramePadding;
+    ImGui::GetWindowDrawList()->AddText({high.x - padding.x - extent.x, low.y + padding.y},
+                                        ImGui::GetColorU32(ImGuiCol_TextDisabled), unit.c_str());
     if (edited) {
         const auto number = typed_number(typing.text);
         if (typing.text == typing.first_text || !number)

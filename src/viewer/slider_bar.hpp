@@ -17,9 +17,9 @@ struct BarMemory {
     struct Click {
         unsigned bar = 0;  // ImGui's number of the bar that was pressed; 0: none waits
         double value = 0.0;
-        double begun = 0.0;     // s
+        double begun = 0.0;      // s
         float pressed_x = 0.0f;  // window units
-        float grip = 0.0f;      // how far from the handle's middle it was taken
+        float grip = 0.0f;       // how far from the handle's middle it was taken
         bool on_handle = false;
         bool live = false;  // a drag: the value follows
     };
@@ -29,8 +29,8 @@ struct BarMemory {
         bool active = false;  // and has the keyboard
         int frames = 0;       // since it is open and not active
         std::string text, first_text;
-        double before = 0.0;  // the value
-        bool seen = false;    // in this frame
+        double before = 0.0;   // the value
+        bool seen = false;     // in this frame
         bool goes_on = false;  // with the next bar: Tab was pressed
     };
     Click click;

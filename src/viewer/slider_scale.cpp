@@ -39,6 +39,13 @@ std::string number_text(double value, const std::string& format) {
     return text.substr(0, digits_end) + "e" + std::to_string(exponent) + unit;
 }
 
+std::string unit_of(const std::string& format) {
+    const std::size_t end = format.find_first_of("efg");
+    std::string unit = end == std::string::npos ? "" : format.substr(end + 1);
+    if (unit.starts_with(' ')) unit.erase(0, 1);
+    return unit == "%%" ? "%" : unit;
+}
+
 std::optional<double> typed_number(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(" +");
     if (begin == std::string_view::npos) return {};

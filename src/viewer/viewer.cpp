@@ -159,7 +159,8 @@ void Viewer::input() {
                field_comes);
     lay_out(app_, size().x, size().y, repeatable() ? 1.0f : window_.content_scale());
     const ImGuiIO& io = ImGui::GetIO();
-    controls_.apply(events, {.mouse = io.WantCaptureMouse, .keyboard = io.WantTextInput || field_comes}, framing_, app_, camera_);
+    controls_.apply(events, {.mouse = io.WantCaptureMouse, .keyboard = io.WantTextInput || field_comes}, framing_, app_,
+                    camera_);
     if (app_.commands.reset_camera) camera_.reset(), app_.orbits = false;
     follow_hand();
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace drapeau {
 
@@ -84,7 +85,9 @@ void Widgets::note_area(const char* label, const ImVec2& low, const ImVec2& high
 void Widgets::frame_if_marked(const char* label) {
     if (!mark_ || !mark_->means(label)) return;
     if (!mark_->scrolled) ImGui::SetScrollHereY(0.5f);
-    mark_->scrolled = true;
+    constexpr int most_tries = 4;
+    mark_->scrolled = mark_->scrolled || ImGui::IsItemVisible() || ++mark_->tries == most_tries;
+    if (!mark_->framed) return;
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImVec4 color = amber;
     color.w = float(std::clamp(mark_->seconds_left, 0.0, 1.0));
@@ -305,7 +308,8 @@ bool Widgets::button(const char* label, const char* tip_text, float width, const
     ImGui::PopID();
     note(label, "");
     tip(tip_text);
-    return clicked;
+    const bool found = mark_ && mark_->control == label && std::exchange(mark_->presses, false);
+    return clicked || found;
 }
 
 bool Widgets::page(const char* label, bool chosen, float width) {

@@ -83,7 +83,7 @@ InputEvent& queue(GLFWwindow* window, Kind kind) {
     InputEvent& event = waiting.events.emplace_back();
     event.kind = kind;
     event.time = glfwGetTime();
-    event.earliest = event.time - waiting.asked < waited_seconds ? waiting.emptied : event.time;
+    event.since = event.time - waiting.asked < waited_seconds ? waiting.emptied : event.time;
     event.at = waiting.mouse;
     return event;
 }
