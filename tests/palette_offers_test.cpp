@@ -23,11 +23,11 @@ TEST_CASE("every button of the panel is found by what it says, or by what it is 
              {"save shape", "Save shape"},
              {"obj", "Save shape"},
              {"plots", "Plots"},
-             {"film", "Film"},
+             {"film", "Make a film"},
              {"gallery of flags", "Gallery of flags"},
              {"gallery of scenes", "Gallery of scenes"},
              {"reset all", "Reset all"},
-             {"reset to defaults", "Reset to defaults"},
+             {"reset to defaults", "Reset what the window remembers to defaults"},
              {"price each", "Price each part"},
              {"measure settings", "Measure settings"},
              {"copy the scene", "Copy the scene as text"},
@@ -40,8 +40,8 @@ TEST_CASE("every button of the panel is found by what it says, or by what it is 
     CHECK(app.commands.save_shape);
     choose(first(app, "plots"), app);
     CHECK(app.playback.plots);
-    choose(first(app, "reset to defaults"), app);
-    CHECK(app.question);
+    choose(first(app, "gallery of scenes"), app);
+    CHECK(app.scenes_shown);
     choose(first(app, "save scene"), app);
     CHECK(app.mark->presses);
     CHECK(app.mark->page == 3);

@@ -6,9 +6,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <string>
 #include <system_error>
 
 namespace drapeau {
@@ -98,29 +96,6 @@ void set_style(float scale) {
     style.ScaleAllSizes(scale);
 }
 
-bool is_field_active(const ImGuiContext& context) {
-    return context.ActiveId != 0 && context.ActiveId == context.InputTextState.ID;
-}
-
-/// Whether a number is being typed.
-bool is_number_typed() {
-    const ImGuiContext& context = *ImGui::GetCurrentContext();
-    constexpr int of_number = ImGuiInputTextFlags_CharsDecimal | ImGuiInputTextFlags_CharsScientific;
-    return is_field_active(context) && (context.InputTextState.Flags & of_number) != 0;
-}
-
-const char* (*system_clipboard)(void* user) = nullptr;
-
-/// The clipboard, its commas points where a number is being typed: ImGui would leave them out, 0,5 becoming 5.
-const char* clipboard_with_points(void* user) {
-    static std::string kept;
-    const char* text = system_clipboard(user);
-    if (!text || !is_number_typed()) return text;
-    kept = text;
-    std::replace(kept.begin(), kept.end(), ',', '.');
-    return kept.c_str();
-}
-
 }  // namespace
 
 Gui::Gui(GLFWwindow* window, float scale, float pixels_per_unit) : window_(window) {
@@ -131,8 +106,6 @@ Gui::Gui(GLFWwindow* window, float scale, float pixels_per_unit) : window_(windo
     load_font(scale, pixels_per_unit);
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
-    system_clipboard = ImGui::GetIO().GetClipboardTextFn;
-    ImGui::GetIO().GetClipboardTextFn = clipboard_with_points;
 }
 
 Gui::~Gui() {
@@ -142,7 +115,8 @@ Gui::~Gui() {
 }
 
 bool Gui::is_text_edited() const {
-    return is_field_active(*ImGui::GetCurrentContext());
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    return context.ActiveId != 0 && context.ActiveId == context.InputTextState.ID;
 }
 
 void Gui::begin(const GuiFrame& frame, const std::vector<InputEvent>& events, bool keeps_keys) {
@@ -158,10 +132,6 @@ void Gui::begin(const GuiFrame& frame, const std::vector<InputEvent>& events, bo
     if (frame.seconds > 0.0f) io.DeltaTime = frame.seconds;
     keys_.feed(events, keeps_keys);
     ImGui::NewFrame();
-    // The same for keys.
-    if (is_number_typed())
-        for (ImWchar& character : io.InputQueueCharacters)
-            if (character == ',') character = '.';
 }
 
 void Gui::draw() {

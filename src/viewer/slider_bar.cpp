@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 
 namespace drapeau {
 
@@ -69,9 +70,15 @@ std::string in_digits(double value) {
     return text;
 }
 
-int on_tab(ImGuiInputTextCallbackData* data) {
-    static_cast<BarMemory::Typing*>(data->UserData)->goes_on = true;
-    return 0;
+/// Takes Tab, and of characters those that numbers have; a decimal comma is a point.
+int on_typing(ImGuiInputTextCallbackData* data) {
+    if (data->EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
+        static_cast<BarMemory::Typing*>(data->UserData)->goes_on = true;
+        return 0;
+    }
+    if (data->EventChar == ',') data->EventChar = '.';
+    const bool is_of_number = data->EventChar < 128 && std::strchr("0123456789.+-eE", int(data->EventChar));
+    return is_of_number ? 0 : 1;
 }
 
 }  // namespace
@@ -169,9 +176,9 @@ bool edit_number(double& value, const SliderScale& scale, float width, BarMemory
     if (!typing.active && typing.frames++ % frames_to_ask == 0) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(width);
     const bool edited = ImGui::InputText("##typed", &typing.text,
-                                         ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CharsScientific |
+                                         ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackCharFilter |
                                              ImGuiInputTextFlags_CallbackCompletion,
-                                         on_tab, &typing);
+                                         on_typing, &typing);
     const double before = value;
     const auto twice = memory.pressed_twice;
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
