@@ -230,6 +230,19 @@ inline void ask_to_quit(AppState& app) {
     unless_filming(app, "Quit", [](AppState& state) { state.quits = true; });
 }
 
+/// Another name of the fabric brings its values, but for the drag, which is the air's, and a bending that is not the
+/// fabric's own.
+inline void bring_fabric(AppState& app, FabricName before) {
+    Fabric& fabric = *app.scene.fabric;
+    if (fabric.name == before) return;
+    const auto drag = fabric.drag_per_area;
+    fabric = fabric_of(fabric.name);
+    fabric.drag_per_area = drag;
+    auto& bending = app.scene.terms.get<Bending>();
+    if (bending && bending->stiffness == bending_of(before)) bending->stiffness = bending_of(fabric.name);
+    app.diagonals.reset();
+}
+
 /// Diagonal springs off, or on as stiff as they last were.
 inline void toggle_diagonals(AppState& app) {
     auto& diagonals = app.scene.diagonals();

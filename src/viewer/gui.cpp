@@ -6,9 +6,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <string>
 #include <system_error>
 
 namespace drapeau {
@@ -67,7 +65,7 @@ void set_style(float scale) {
     style.ScrollbarRounding = 6.0f;
     style.ScrollbarSize = 11.0f;
     style.GrabMinSize = 9.0f;
-    style.WindowBorderSize = 0.0f;
+    style.WindowBorderSize = 1.0f;  // boxes may lie over the panel
     style.PopupBorderSize = 1.0f;
     style.WindowPadding = {14.0f, 12.0f};
     style.FramePadding = {7.0f, 3.0f};
@@ -98,24 +96,6 @@ void set_style(float scale) {
     style.ScaleAllSizes(scale);
 }
 
-/// Whether a number is being typed.
-bool is_number_typed() {
-    const ImGuiContext& context = *ImGui::GetCurrentContext();
-    return context.TempInputId != 0 && context.ActiveId == context.TempInputId;  // a slider that is a text field now
-}
-
-const char* (*system_clipboard)(void* user) = nullptr;
-
-/// The clipboard, its commas points where a number is being typed: ImGui would leave them out, 0,5 becoming 5.
-const char* clipboard_with_points(void* user) {
-    static std::string kept;
-    const char* text = system_clipboard(user);
-    if (!text || !is_number_typed()) return text;
-    kept = text;
-    std::replace(kept.begin(), kept.end(), ',', '.');
-    return kept.c_str();
-}
-
 }  // namespace
 
 Gui::Gui(GLFWwindow* window, float scale, float pixels_per_unit) : window_(window) {
@@ -126,8 +106,6 @@ Gui::Gui(GLFWwindow* window, float scale, float pixels_per_unit) : window_(windo
     load_font(scale, pixels_per_unit);
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
-    system_clipboard = ImGui::GetIO().GetClipboardTextFn;
-    ImGui::GetIO().GetClipboardTextFn = clipboard_with_points;
 }
 
 Gui::~Gui() {
@@ -136,7 +114,12 @@ Gui::~Gui() {
     ImGui::DestroyContext();
 }
 
-void Gui::begin(const GuiFrame& frame, const std::vector<InputEvent>& events) {
+bool Gui::is_text_edited() const {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    return context.ActiveId != 0 && context.ActiveId == context.InputTextState.ID;
+}
+
+void Gui::begin(const GuiFrame& frame, const std::vector<InputEvent>& events, bool keeps_keys) {
     // A mouse that was there before the window came never enters it, and ImGui would not believe in it.
     const bool over = glfwGetWindowAttrib(window_, GLFW_HOVERED) != 0;
     if (over && !entered_) ImGui_ImplGlfw_CursorEnterCallback(window_, GLFW_TRUE);
@@ -147,12 +130,8 @@ void Gui::begin(const GuiFrame& frame, const std::vector<InputEvent>& events) {
     io.DisplaySize = {frame.size.x, frame.size.y};
     io.DisplayFramebufferScale = {frame.pixels_per_unit, frame.pixels_per_unit};
     if (frame.seconds > 0.0f) io.DeltaTime = frame.seconds;
-    keys_.feed(events);
+    keys_.feed(events, keeps_keys);
     ImGui::NewFrame();
-    // The same for keys.
-    if (is_number_typed())
-        for (ImWchar& character : io.InputQueueCharacters)
-            if (character == ',') character = '.';
 }
 
 void Gui::end() {

@@ -27,8 +27,9 @@ public:
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
 
-    /// `events`: what happened to the window since the last frame.
-    void begin(const GuiFrame& frame, const std::vector<InputEvent>& events);
+    /// `events`: what happened to the window since the last frame. `keeps_keys`: for a later frame.
+    void begin(const GuiFrame& frame, const std::vector<InputEvent>& events, bool keeps_keys = false);
+    bool is_text_edited() const;                                   // a field has the keyboard
     bool has_waiting_keys() const { return keys_.has_waiting(); }  // for the next frame
     void end();                                                    // no more is added to this frame
     void draw();                                                   // into the framebuffer that is bound

@@ -32,10 +32,11 @@ bool is_of_keyboard(const InputEvent& event) {
 
 // A frame takes characters and then one key: ImGui types first and knows no order among keys. What is pressed stays
 // down for a frame, and the modifiers with it; what is let go stays up for one.
-void KeyFeed::feed(const std::vector<InputEvent>& events) {
+void KeyFeed::feed(const std::vector<InputEvent>& events, bool keeps) {
     std::copy_if(events.begin(), events.end(), std::back_inserter(waiting_), is_of_keyboard);
     ImGuiIO& io = ImGui::GetIO();
     io.ClearInputCharacters();
+    if (keeps) return;
     bool typed = false;
     int pressed = GLFW_KEY_UNKNOWN;  // the one key
     std::set<int> released;
@@ -74,10 +75,27 @@ bool KeyFeed::has_waiting() const {
 
 #else
 
-void KeyFeed::feed(const std::vector<InputEvent>&) {}
+// Keys go their way, for ImGui compares each with the one before; only what was typed can be kept.
+void KeyFeed::feed(const std::vector<InputEvent>&, bool keeps) {
+    if (!keeps && waiting_.empty()) return;
+    auto& queue = ImGui::GetCurrentContext()->InputEventsQueue;
+    for (int i = 0; i < queue.Size;) {
+        if (queue[i].Type != ImGuiInputEventType_Text) {
+            ++i;
+            continue;
+        }
+        InputEvent& typed = waiting_.emplace_back();
+        typed.kind = InputEvent::Kind::character;
+        typed.typed = queue[i].Text.Char;
+        queue.erase(&queue[i]);
+    }
+    if (keeps) return;
+    for (const InputEvent& event : waiting_) ImGui::GetIO().AddInputCharacter(event.typed);
+    waiting_.clear();
+}
 
 bool KeyFeed::has_waiting() const {
-    return !ImGui::GetCurrentContext()->InputEventsQueue.empty();
+    return !waiting_.empty() || !ImGui::GetCurrentContext()->InputEventsQueue.empty();
 }
 
 #endif

@@ -7,7 +7,7 @@ namespace drapeau {
 namespace {
 
 constexpr float margin = 12.0f;                                   // window units around the panel
-constexpr float widest_panel = 348.0f, narrowest_panel = 280.0f;  // window units; narrower cuts off its labels
+constexpr float widest_panel = 384.0f, narrowest_panel = 280.0f;  // window units; narrower cuts off its labels
 constexpr float opened_share = 0.62f;                             // of a narrow window
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "palette.hpp"
 
 #include "actions.hpp"
+#include "palette_offers.hpp"
 
 #include "io/text.hpp"
 #include "scene/settings.hpp"
@@ -158,6 +159,8 @@ std::vector<PaletteItem> palette_items(const AppState& app) {
     std::vector<PaletteItem> items;
     add_actions(items);
     add_settings(app, items);
+    add_buttons(app, items);
+    add_choices(app, items);
     add_files(app, items);
     return items;
 }
@@ -181,7 +184,8 @@ std::vector<PaletteItem> matching(std::vector<PaletteItem> items, std::string_vi
     std::vector<std::pair<int, PaletteItem>> scored;
     for (PaletteItem& item : items) {
         // A key such as flag.columns is as good a name as a label, only a little less so.
-        const std::string key = item.detail.substr(0, item.detail.find_first_of(" :"));
+        const std::string key =
+            item.keywords.empty() ? item.detail.substr(0, item.detail.find_first_of(" :")) : item.keywords;
         const int by_label = 2 * match_score(item.label, typed), by_key = 2 * match_score(key, typed) - 1;
         const int score = std::max(by_label, by_key);
         if (score > 0) scored.emplace_back(score, std::move(item));
@@ -207,6 +211,10 @@ void choose(const PaletteItem& item, AppState& app) {
             break;
         case PaletteItem::Kind::image:
             app.commands.load_texture = item.path;
+            break;
+        case PaletteItem::Kind::choice:
+            item.sets(app);
+            if (app.mark && !app.panel_open()) app.toggle_panel();
             break;
     }
 }

@@ -1,6 +1,8 @@
 // Galleries: the flags on the flag's page, and the scenes over the picture.
 #include "panels.hpp"
 
+#include "box_room.hpp"
+
 #include "io/text.hpp"
 
 #include <imgui.h>
@@ -77,7 +79,7 @@ void draw_flag(AppState& app, Widgets& widgets, const FlagEntry& entry, ImVec2 s
     const Cell cell = begin_cell(("flag " + entry.name).c_str(), size, chosen);
     if (!cell.in_sight) return;
     widgets.note(("Flag: " + entry.name).c_str(), chosen ? "1" : "0");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", entry.file.empty() ? "none: plain cloth" : entry.name.c_str());
+    widgets.tip(entry.file.empty() ? "none: plain cloth" : entry.name.c_str());
     const float inset = 4.0f * text_scale();
     const ImVec2 low(cell.low.x + inset, cell.low.y + inset), high(cell.high.x - inset, cell.high.y - inset);
     if (!entry.file.empty()) {
@@ -125,6 +127,7 @@ void draw_flag_gallery(AppState& app, Widgets& widgets) {
     const float width = (room - float(columns - 1) * spacing) / float(columns);
     ImGui::Spacing();
     ImGui::TextDisabled("Flags");
+    widgets.note("Gallery", "");
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing, spacing});
     int column = 0;
     for (const FlagEntry& entry : flag_entries(app)) {
@@ -137,9 +140,8 @@ void draw_flag_gallery(AppState& app, Widgets& widgets) {
 
 void draw_scene_gallery(AppState& app, Widgets& widgets) {
     if (!app.scenes_shown) return;
-    Area view = app.view_area;
-    if (app.narrow) view.x0 = 0.0f;  // over an opened panel too: beside it there is no room
     const float scale = text_scale(), margin = 12.0f * scale, spacing = 6.0f * scale;
+    const Area view = room_for_box(app, 430.0f * scale + 2.0f * margin);
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;
     const int columns = view.width() - 2.0f * margin >= 720.0f * scale ? 2 : 1;
     const float width = std::min(float(columns) * 430.0f * scale, view.width() - 2.0f * margin);

@@ -2,6 +2,7 @@
 #include "panels.hpp"
 
 #include "actions.hpp"
+#include "box_room.hpp"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -44,17 +45,19 @@ std::vector<KeyLine> key_lines() {
     return lines;
 }
 
-/// Lines below each other, keys and what they do.
-void draw_lines(std::span<const KeyLine> lines) {
+/// Lines below each other, keys and what they do, no further than `right` within the window; -1: however far.
+void draw_lines(std::span<const KeyLine> lines, float right) {
     const float gap = 2.0f * ImGui::GetStyle().WindowPadding.x;
     float second = 0.0f;
     for (const KeyLine& line : lines) second = std::max(second, ImGui::CalcTextSize(line.key.c_str()).x + gap);
     ImGui::BeginGroup();
+    ImGui::PushTextWrapPos(right);
     for (const KeyLine& line : lines) {
         ImGui::TextUnformatted(line.key.c_str());
         ImGui::SameLine(second);
         ImGui::TextDisabled("%s", line.does.c_str());
     }
+    ImGui::PopTextWrapPos();
     ImGui::EndGroup();
 }
 
@@ -63,10 +66,12 @@ void draw_keys(float room) {
     const std::vector<KeyLine> lines = key_lines();
     const std::span<const KeyLine> all(lines);
     const std::size_t half = room > 55.0f * ImGui::GetFontSize() ? (lines.size() + 1) / 2 : lines.size();
-    draw_lines(all.first(half));
-    if (half == lines.size()) return;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const bool one_column = half == lines.size();
+    draw_lines(all.first(half), one_column ? room - style.WindowPadding.x - style.ScrollbarSize : -1.0f);
+    if (one_column) return;
     ImGui::SameLine(0.0f, 2.0f * ImGui::GetStyle().WindowPadding.x);
-    draw_lines(all.subspan(half));
+    draw_lines(all.subspan(half), -1.0f);
 }
 
 Area claim_window(AppState& app) {
@@ -188,8 +193,7 @@ void draw_activity(const AppState& app) {
 
 void draw_help(AppState& app, Widgets& widgets) {
     if (!app.help_shown) return;
-    Area view = app.view_area;
-    if (app.narrow) view.x0 = 0.0f;  // over an opened panel too: beside it the list has no room
+    const Area view = room_for_box(app, 34.0f * ImGui::GetFontSize());
     ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, (view.y0 + view.y1) / 2.0f}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {view.width(), view.height()});  // scrolls where it is cut off
     ImGui::Begin("keys", nullptr, box_flags);

@@ -1,6 +1,8 @@
 // The command palette: a text, and what it finds.
 #include "panels.hpp"
 
+#include "box_room.hpp"
+
 #include "io/text.hpp"
 
 #include <imgui.h>
@@ -28,7 +30,7 @@ bool draw_field(Palette& palette, Widgets& widgets) {
     palette.begins = false;
     ImGui::SetNextItemWidth(-1.0f);
     const bool entered = ImGui::InputTextWithHint(
-        "##find", "an action, a setting, a scene or a flag", &palette.text,
+        "##find", "an action, a setting, a choice, a scene or a flag", &palette.text,
         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory, on_arrow, &palette);
     widgets.note("Find", palette.text);
     if (palette.text != before) palette.chosen = 0;
@@ -79,9 +81,8 @@ void draw_found(AppState& app, bool entered, int chosen_before, Widgets& widgets
 void draw_palette(AppState& app, Widgets& widgets) {
     Palette& palette = app.palette;
     if (!palette.open) return;
-    Area view = app.view_area;
-    if (app.narrow) view.x0 = 0.0f;  // over an opened panel too: beside it there is no room
     const float scale = ImGui::GetFontSize() / usual_font;
+    const Area view = room_for_box(app, 430.0f * scale);
     const float width = std::min(560.0f * scale, view.width() - 24.0f * scale);
     ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, view.y0 + 14.0f * scale}, ImGuiCond_Always, {0.5f, 0.0f});
     ImGui::SetNextWindowSize({width, 0.0f});

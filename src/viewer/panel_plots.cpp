@@ -168,13 +168,16 @@ float plots_height(const AppState& app) {
 
 void draw_plots(AppState& app, Widgets& widgets) {
     Playback& play = app.playback;
-    ImGui::SetNextItemOpen(play.plots);
+    const bool were_open = play.plots;
+    ImGui::SetNextItemOpen(were_open);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0.0f});
     play.plots = ImGui::CollapsingHeader("Plots");
     ImGui::PopStyleVar();
     widgets.note("Plots", play.plots ? "1" : "0");
     widgets.tip(
         "Energy, stretch, the tip's height, the error and the step over the last ten seconds of simulated time.");
+    // What was clicked may be elsewhere in the next frame, for the panel scrolls as a whole where it has no room.
+    if (play.plots && !were_open) app.mark = Mark{.control = "Plots", .framed = false};
     if (!play.plots || play.samples.empty()) return;
     const double now = play.shown.value_or(app.status.time);
     const float gap = 2.0f * ImGui::GetStyle().ItemSpacing.x;

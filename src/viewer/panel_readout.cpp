@@ -88,8 +88,7 @@ void draw_values(const Readout& readout, int& drawn, Widgets& widgets, float sca
         const std::string label = std::string(quantity.name) + "###read " + quantity.name;
         if (ImGui::Selectable(label.c_str(), drawn == n, 0, {230.0f * scale, 0.0f})) drawn = n;
         widgets.note(("Read: " + std::string(quantity.name)).c_str(), value);
-        if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("%s\nA click shows it over the last %.0f s.", quantity.about, Readout::kept);
+        widgets.tip(fmt::format("{}\nA click shows it over the last {:.0f} s.", quantity.about, Readout::kept).c_str());
         const float width = ImGui::CalcTextSize(value.c_str()).x;
         ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + 230.0f * scale - width);
         ImGui::TextUnformatted(value.c_str());

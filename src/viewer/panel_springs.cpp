@@ -29,19 +29,12 @@ void edit_springs(AppState& app, Widgets& widgets) {
     each_key(springs_keys, [&](const auto& field) { edit(widgets, "springs", field, springs, origin); });
 }
 
-/// Another name brings its values, but for the drag, which is the air's, and a bending that is not the fabric's own.
 void edit_fabric(AppState& app, Widgets& widgets) {
     Fabric& fabric = *app.scene.fabric;
     const FabricName before = fabric.name;
     const Fabric origin = app.origin.fabric.value_or(fabric_of(before));
     each_key(fabric_keys, [&](const auto& field) { edit(widgets, "fabric", field, fabric, origin); });
-    if (fabric.name == before) return;
-    const auto drag = fabric.drag_per_area;
-    fabric = fabric_of(fabric.name);
-    fabric.drag_per_area = drag;
-    auto& bending = app.scene.terms.get<Bending>();
-    if (bending && bending->stiffness == bending_of(before)) bending->stiffness = bending_of(fabric.name);
-    app.diagonals.reset();
+    bring_fabric(app, before);
 }
 
 }  // namespace

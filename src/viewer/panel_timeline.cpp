@@ -19,13 +19,6 @@ void draw_scrubber(AppState& app, Widgets& widgets) {
     double shown = play.shown.value_or(play.to);
     const bool some = play.to > play.from;
     const double end = some ? play.to : play.from + 1.0;
-    ImGui::BeginDisabled(!some);
-    ImGui::SetNextItemWidth(std::max(40.0f, ImGui::GetContentRegionAvail().x - room));
-    if (ImGui::SliderScalar("##timeline", ImGuiDataType_Double, &shown, &play.from, &end, "%.2f s",
-                            ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat))
-        app.commands.travel.to = shown;
-    ImGui::EndDisabled();
-    widgets.note("Timeline", fmt::format("{:.4f}", shown));
     const std::string tip = fmt::format(
         "The flight as far as it is kept: {} moments in {:.0f} of {:.0f} MiB, the last seconds frame by frame and "
         "older "
@@ -34,7 +27,12 @@ void draw_scrubber(AppState& app, Widgets& widgets) {
         "the panel shows them while it is looked at. Restart begins a new timeline.",
         play.moments, double(play.bytes) / 1048576.0, double(Timeline::usual_budget) / 1048576.0,
         Timeline::longest / 60.0);
-    if (!ImGui::IsItemActive()) widgets.tip(tip.c_str());
+    ImGui::BeginDisabled(!some);
+    const SliderScale scale{.low = play.from, .high = end, .format = "%.2f s", .at_once = true, .widest = "888.88 s"};
+    const float width = ImGui::GetContentRegionAvail().x - room;
+    if (widgets.bar("Timeline", shown, scale, width, tip.c_str(), fmt::format("{:.4f}", shown)))
+        app.commands.travel.to = shown;
+    ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", kept.c_str());

@@ -39,8 +39,7 @@ void draw_page(AppState& app, PanelMemory& memory, Widgets& widgets) {
 void draw_page_and_readings(AppState& app, PanelMemory& memory, Widgets& widgets) {
     const float row = ImGui::GetFrameHeightWithSpacing();
     const float room = ImGui::GetContentRegionAvail().y - readings_height(app);
-    const bool plots = app.playback.plots || room >= 8.0f * row;
-    const float page_height = room - (plots ? plots_height(app) : 0.0f);
+    const float page_height = room - plots_height(app);
     const bool scrolls = page_height >= 3.0f * row;
     // Each page is scrolled on its own.
     const std::string name = "page " + std::to_string(memory.page);
@@ -49,7 +48,7 @@ void draw_page_and_readings(AppState& app, PanelMemory& memory, Widgets& widgets
     if (scrolls) ImGui::EndChild();
     ImGui::Separator();
     draw_readings(app, widgets);
-    if (plots) draw_plots(app, widgets);
+    draw_plots(app, widgets);
 }
 
 void draw_panel(AppState& app, PanelMemory& memory, Widgets& widgets) {
@@ -99,7 +98,7 @@ void draw_opener(AppState& app, Widgets& widgets) {
 }  // namespace
 
 void draw_panels(AppState& app, PanelMemory& memory, UiMap& map) {
-    Widgets widgets(map, app.mark);
+    Widgets widgets(map, app.mark, memory.widgets);
     app.claimed.clear();
     if (app.panel_open()) {
         draw_panel(app, memory, widgets);

@@ -20,6 +20,7 @@ struct PanelMemory {
     ImVec2 readout_size{260.0f, 300.0f};  // as it was last drawn
     double wind_direction = 0.0;          // degrees; kept while there is no wind to read it from
     std::string texture_text, scene_text, save_text;
+    WidgetMemory widgets;
 };
 
 void draw_panels(AppState& app, PanelMemory& memory, UiMap& map);

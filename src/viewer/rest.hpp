@@ -11,6 +11,7 @@ struct Activity {
     bool hidden = false;        // nobody sees the window
     bool typing = false;        // a text cursor blinks
     double message_left = 0.0;  // s until the message goes by itself; 0: it stays, or there is none
+    double panel_left = 0.0;  // s until a control changes by itself: a tip that comes, a click that sets; 0: none does
 };
 
 class Rest {
@@ -20,7 +21,7 @@ public:
 
 private:
     int settling_ = 0;  // frames since the last change that are still to be drawn
-    double message_left_ = 0.0;
+    double message_left_ = 0.0, panel_left_ = 0.0;
 };
 
 }  // namespace drapeau

@@ -235,20 +235,14 @@ std::optional<std::size_t> draw_trade_chart(const MeasuredTrade& trade, const Tr
         const ImVec2 at = chart.place(trade.points[n]);
         widgets.note_place(("Setting: " + setting_text(trade.points[n].point)).c_str(), at.x, at.y, radius);
     }
+    const auto under = hovered ? point_under_mouse(chart, 2.5f * radius) : std::nullopt;
+    if (under) draw_point(chart, trade.points[*under], 1.6f * radius);
+    widgets.tip(under ? about(chart, trade.points[*under]).c_str()
+                      : "Every setting measured: filled circles in float, rings in double, crosses diverge. The line "
+                        "joins those that no other beats in both; a white ring is around the one in use, a white cross "
+                        "at what the flag's readings say now.");
     draw_key(trade);
-    if (!hovered) return {};
-    const auto under = point_under_mouse(chart, 2.5f * radius);
-    if (!under) {
-        ImGui::SetTooltip("%s",
-                          "Every setting measured: filled circles in float, rings in double, crosses diverge.\n"
-                          "The line joins those that no other beats in both; a white ring is around the one in\n"
-                          "use, a white cross at what the flag's readings say now.");
-        return {};
-    }
-    const Measured& point = trade.points[*under];
-    draw_point(chart, point, 1.6f * radius);
-    ImGui::SetTooltip("%s", about(chart, point).c_str());
-    return clicked && point.is_measured() ? under : std::nullopt;
+    return clicked && under && trade.points[*under].is_measured() ? under : std::nullopt;
 }
 
 }  // namespace drapeau

@@ -15,7 +15,8 @@
 // Labels are unique. Buttons, switches, sliders and lists have the label the panel shows ("Columns", "Pause"); pages
 // are "Page: Flag"; readings "Reading: Stability"; the entries of an open list "Image: japan"; what
 // galleries show "Flag: japan", "Open: storm"; the arrow that takes a control back to its default, there only when it
-// differs, "Back: Columns"; the switch of a term "Damping on".
+// differs, "Back: Columns"; the switch of a term "Damping on"; the number beside a slider's bar "Number: Columns". What
+// a control says while the mouse rests on it is "Tip".
 //
 // State records:
 //   frame            frames drawn since the start

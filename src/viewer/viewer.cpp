@@ -158,12 +158,21 @@ void Viewer::input() {
     hidden_ = !repeatable() && window_.hidden();
     if (!repeatable()) target_.resize(window_.framebuffer_size().x, window_.framebuffer_size().y);
     const float pixels = float(target_.width()) / std::max(1.0f, size().x);
-    gui_.begin({.size = size(), .pixels_per_unit = pixels, .seconds = repeatable() ? 1.0f / 60.0f : 0.0f}, events);
+    const bool field_comes = keyboard_is_awaited();
+    panel_memory_.widgets.bars.pressed_twice = double_press_.in(events);
+    gui_.begin({.size = size(), .pixels_per_unit = pixels, .seconds = repeatable() ? 1.0f / 60.0f : 0.0f}, events,
+               field_comes);
     lay_out(app_, size().x, size().y, repeatable() ? 1.0f : window_.content_scale());
     const ImGuiIO& io = ImGui::GetIO();
-    controls_.apply(events, {.mouse = io.WantCaptureMouse, .keyboard = io.WantTextInput}, framing_, app_, camera_);
+    controls_.apply(events, {.mouse = io.WantCaptureMouse, .keyboard = io.WantTextInput || field_comes}, framing_, app_,
+                    camera_);
     if (app_.commands.reset_camera) camera_.reset(), app_.orbits = false;
     follow_hand();
+}
+
+// What is typed before the field that was opened for it has the keyboard is kept for it.
+bool Viewer::keyboard_is_awaited() const {
+    return panel_memory_.widgets.bars.awaits_keyboard() || (app_.palette.open && !gui_.is_text_edited());
 }
 
 void Viewer::exchange() {

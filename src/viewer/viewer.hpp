@@ -4,6 +4,7 @@
 #include "app_state.hpp"
 #include "camera.hpp"
 #include "controls.hpp"
+#include "double_press.hpp"
 #include "film.hpp"
 #include "filming.hpp"
 #include "force_scale.hpp"
@@ -58,6 +59,7 @@ private:
     Viewer(const Options& options, LoadedScene loaded);
 
     bool repeatable() const { return options_.frames > 0; }
+    bool keyboard_is_awaited() const;
     bool runs() const { return !app_.paused && !app_.status.stands(); }
     bool picture_wanted() const;
     Activity activity() const;
@@ -134,6 +136,7 @@ private:
 
     AppState app_;
     PanelMemory panel_memory_;
+    DoublePress double_press_;
     Controls controls_;
     Camera camera_;
     Framing framing_;

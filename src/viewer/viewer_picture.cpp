@@ -146,7 +146,8 @@ Activity Viewer::activity() const {
                           measuring_.under_way() || filming_ || film_asked_,
             .hidden = hidden_,
             .typing = ImGui::GetIO().WantTextInput,
-            .message_left = message.text.empty() ? 0.0 : message.seconds_left};
+            .message_left = message.text.empty() ? 0.0 : message.seconds_left,
+            .panel_left = panel_memory_.widgets.due};
 }
 
 void Viewer::take_screenshot(const std::filesystem::path& file) {

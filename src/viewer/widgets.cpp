@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace drapeau {
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr float label_share = 0.40f;  // of a row's width
 constexpr double same = 1e-9;         // relative: two numbers a slider cannot tell apart
+constexpr float shortest_bar = 2.4f;  // lines of text
 const ImVec4 amber(1.0f, 0.76f, 0.38f, 1.0f), red(1.0f, 0.52f, 0.46f, 1.0f);  // of text
 
 float arrow_width() {
@@ -29,11 +31,46 @@ std::string digits(double value) {
     return text;
 }
 
+float gap_to_number() {
+    return ImGui::GetStyle().ItemInnerSpacing.x;
+}
+
+/// Of the column that numbers stand in.
+float number_width(const char* widest) {
+    return ImGui::CalcTextSize(widest).x + ImGui::GetStyle().FramePadding.x;
+}
+
+/// Whether a row is too narrow for its label, a switch, a bar, the number and the arrow: the label has its own line.
+bool stacks() {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float width = ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x;
+    const float bar = (1.0f - label_share) * width - 2.0f * (arrow_width() + style.ItemSpacing.x) - gap_to_number() -
+                      number_width(SliderScale{}.widest);
+    return bar < shortest_bar * ImGui::GetFontSize();
+}
+
+const std::string how_to_type = "\nA double click on the bar, or a click on the number, lets it be typed.";
+
 bool differ(double a, double b) {
     return std::abs(a - b) > same * std::max(std::abs(a), std::abs(b));
 }
 
 }  // namespace
+
+Widgets::Widgets(UiMap& map, std::optional<Mark>& mark, WidgetMemory& memory)
+    : map_(map), mark_(mark), memory_(memory) {
+    begin_bars(memory.bars);
+    memory.tip.seen = false;
+    memory.due = 0.0;
+}
+
+Widgets::~Widgets() {
+    if (!memory_.tip.seen) memory_.tip = {};
+}
+
+void Widgets::wait_for(double seconds) const {
+    if (seconds > 0.0 && (memory_.due <= 0.0 || seconds < memory_.due)) memory_.due = seconds;
+}
 
 void Widgets::note_area(const char* label, const ImVec2& low, const ImVec2& high, const std::string& value) {
     if (!map_.wanted() || ImGui::GetCurrentWindowRead()->Hidden) return;  // a box is laid out before it is shown
@@ -48,7 +85,9 @@ void Widgets::note_area(const char* label, const ImVec2& low, const ImVec2& high
 void Widgets::frame_if_marked(const char* label) {
     if (!mark_ || !mark_->means(label)) return;
     if (!mark_->scrolled) ImGui::SetScrollHereY(0.5f);
-    mark_->scrolled = true;
+    constexpr int most_tries = 4;
+    mark_->scrolled = mark_->scrolled || ImGui::IsItemVisible() || ++mark_->tries == most_tries;
+    if (!mark_->framed) return;
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImVec4 color = amber;
     color.w = float(std::clamp(mark_->seconds_left, 0.0, 1.0));
@@ -65,20 +104,16 @@ void Widgets::note_place(const char* label, float x, float y, float radius) {
 }
 
 void Widgets::tip(const char* text) const {
-    if (!text || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22.0f);
-    ImGui::TextUnformatted(text);
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
+    wait_for(show_tip(text, memory_.tip, map_));
 }
 
-void Widgets::begin_row(const char* label, bool bright) {
+void Widgets::begin_row(const char* label, bool bright, bool of_number) {
     ImGui::AlignTextToFramePadding();
     if (bright)
         ImGui::TextUnformatted(label);
     else
         ImGui::TextDisabled("%s", label);
+    if (of_number && stacks()) return;
     ImGui::SameLine(ImGui::GetWindowContentRegionMin().x +
                     label_share * (ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x));
 }
@@ -112,18 +147,41 @@ bool Widgets::back_arrow(const char* label, bool differs) {
     return clicked;
 }
 
+bool Widgets::bar(const char* label, double& shown, const SliderScale& scale, float width, const char* tip_text,
+                  const std::string& noted) {
+    BarMemory& bars = memory_.bars;
+    ImGui::PushID(label);
+    const unsigned id = ImGui::GetID("bar");
+    const std::string tip_of_bar = tip_text + how_to_type;
+    const auto note_bar = [&] { note(label, noted.empty() ? digits(shown) : noted); };
+    bool changed = false;
+    if (is_typed(id, {width, ImGui::GetFrameHeight()}, shown, bars)) {
+        changed = edit_number(shown, scale, width, bars);
+        note_bar();
+        ImGui::PopID();
+        return changed;
+    }
+    const auto text = [&] { return number_text(bars.click.bar == id ? bars.click.value : shown, scale.format); };
+    const float beside = std::max(number_width(scale.widest), number_width(text().c_str()));
+    double waits = 0.0;
+    changed = drag_bar(id, shown, scale, std::max(arrow_width(), width - beside - gap_to_number()), bars, waits);
+    wait_for(waits);
+    note_bar();
+    if (!ImGui::IsItemActive()) tip(tip_of_bar.c_str());
+    ImGui::SameLine(0.0f, gap_to_number());
+    if (draw_number(text(), beside) && !bars.typing.bar) type_number(id, shown, bars);
+    note(("Number: " + std::string(label)).c_str(), text());
+    tip(tip_of_bar.c_str());
+    ImGui::PopID();
+    return changed;
+}
+
 bool Widgets::slider(const char* label, double& value, const SliderScale& scale, double origin, const char* tip_text) {
     ImGui::PushID(label);
-    begin_row(label, true);
+    begin_row(label, true, true);
     double shown = value * scale.shown_per_unit;
-    ImGui::SetNextItemWidth(control_width());
-    ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat;
-    if (scale.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
-    bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &shown, &scale.low, &scale.high,
-                                       scale.format.c_str(), flags);
+    bool changed = bar(label, shown, scale, control_width(), tip_text);
     if (changed) value = shown / scale.shown_per_unit;
-    note(label, digits(shown));
-    tip(tip_text);
     if (back_arrow(label, differ(value, origin))) {
         value = origin;
         changed = true;
@@ -134,16 +192,12 @@ bool Widgets::slider(const char* label, double& value, const SliderScale& scale,
 
 bool Widgets::slider(const char* label, int& value, int low, int high, int origin, const char* tip_text) {
     ImGui::PushID(label);
-    begin_row(label, true);
-    ImGui::SetNextItemWidth(control_width());
+    begin_row(label, true, true);
     double shown = value;
-    const double least = low, largest = high;
-    bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &shown, &least, &largest, "%.0f",
-                                       ImGuiSliderFlags_AlwaysClamp);
+    const SliderScale scale{.low = double(low), .high = double(high), .format = "%.0f", .whole = true};
+    bool changed = bar(label, shown, scale, control_width(), tip_text);
     if (changed) value = int(shown);
     if (shown != value) correction_ = fmt::format("{} is a whole number: {} is taken.", label, value);  // typed
-    note(label, std::to_string(value));
-    tip(tip_text);
     if (back_arrow(label, value != origin)) {
         value = origin;
         changed = true;
@@ -152,35 +206,43 @@ bool Widgets::slider(const char* label, int& value, int low, int high, int origi
     return changed;
 }
 
+/// In the place of a bar and its number: what a number that is missing means.
+void Widgets::draw_absent(const std::string& text, float width) const {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetFrameHeight(), inset = 0.5f * ImGui::GetStyle().FramePadding.x;
+    const float beside = std::max(number_width(SliderScale{}.widest), number_width(text.c_str()));
+    const float bar = width - beside - gap_to_number(), half = 0.135f * height, middle = low.y + 0.5f * height;
+    ImGui::Dummy({width, height});
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    if (bar >= height)
+        list->AddRectFilled({low.x, middle - half}, {low.x + bar, middle + half},
+                            ImGui::GetColorU32(ImGuiCol_FrameBg, 0.6f), half);
+    const float left = bar >= height ? low.x + width - beside : low.x;
+    list->AddText({left + inset, low.y + ImGui::GetStyle().FramePadding.y}, ImGui::GetColorU32(ImGuiCol_TextDisabled),
+                  text.c_str());
+}
+
 bool Widgets::term(const char* label, std::optional<double>& value, const SliderScale& scale,
                    const std::optional<double>& origin, double usual, const std::string& absent, const char* tip_text,
                    const char* switch_tip) {
     ImGui::PushID(label);
-    begin_row(label, value.has_value());
+    begin_row(label, value.has_value(), true);
     bool on = value.has_value();
     bool changed = ImGui::Checkbox("##on", &on);
     note((std::string(label) + " on").c_str(), on ? "1" : "0");
     tip(switch_tip);
     if (changed) value = on ? std::optional(origin.value_or(usual)) : std::nullopt;
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(control_width());
     if (value) {
         double shown = *value * scale.shown_per_unit;
-        ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat;
-        if (scale.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
-        if (ImGui::SliderScalar("##value", ImGuiDataType_Double, &shown, &scale.low, &scale.high, scale.format.c_str(),
-                                flags)) {
+        if (bar(label, shown, scale, control_width(), tip_text)) {
             value = shown / scale.shown_per_unit;
             changed = true;
         }
-        note(label, digits(shown));
     } else {
-        ImGui::BeginDisabled();
-        double none = scale.low;
-        ImGui::SliderScalar("##value", ImGuiDataType_Double, &none, &scale.low, &scale.high, absent.c_str(), 0);
-        ImGui::EndDisabled();
+        draw_absent(absent, control_width());
+        tip(tip_text);
     }
-    tip(tip_text);
     const bool differs = value.has_value() != origin.has_value() || (value && differ(*value, *origin));
     if (back_arrow(label, differs)) {
         value = origin;
@@ -246,7 +308,8 @@ bool Widgets::button(const char* label, const char* tip_text, float width, const
     ImGui::PopID();
     note(label, "");
     tip(tip_text);
-    return clicked;
+    const bool found = mark_ && mark_->control == label && std::exchange(mark_->presses, false);
+    return clicked || found;
 }
 
 bool Widgets::page(const char* label, bool chosen, float width) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "palette.hpp"
+#include "slider_bar.hpp"
+#include "tips.hpp"
 #include "ui_map.hpp"
 
 #include <optional>
@@ -13,20 +15,25 @@ struct ImVec2;
 
 namespace drapeau {
 
-struct SliderScale {
-    double low = 0.0, high = 1.0;  // in the unit shown
-    bool logarithmic = false;
-    std::string format = "%.3g";  // printf, with the unit
-    double shown_per_unit = 1.0;  // 1000 shows metres as millimetres
+/// What the controls remember between frames.
+struct WidgetMemory {
+    BarMemory bars;
+    TipMemory tip;
+    double due = 0.0;  // s until they change by themselves; 0: they do not
 };
 
 class Widgets {
 public:
     /// `mark`: the control that is framed, if one is.
-    Widgets(UiMap& map, std::optional<Mark>& mark) : map_(map), mark_(mark) {}
+    Widgets(UiMap& map, std::optional<Mark>& mark, WidgetMemory& memory);
+    ~Widgets();
 
     bool slider(const char* label, double& value, const SliderScale& scale, double origin, const char* tip);
     bool slider(const char* label, int& value, int low, int high, int origin, const char* tip);
+
+    /// The bar and its number alone, of a width in all. `noted`: what the UI map says of it; "" for its number.
+    bool bar(const char* label, double& shown, const SliderScale& scale, float width, const char* tip,
+             const std::string& noted = "");
 
     /// A number that may be missing: a switch and a slider, or the word `absent`. Switched on, it is `origin` or else
     /// `usual`. `switch_tip`: of the switch.
@@ -52,20 +59,23 @@ public:
     /// The same for a place within the last item that can be clicked on its own.
     void note_place(const char* label, float x, float y, float radius);
     UiMap& map() { return map_; }
-    void tip(const char* text) const;  // of the last item of ImGui
+    void tip(const char* text) const;  // of the last item of ImGui, once the mouse rests on it
 
     /// What was made of a number that could not be taken as it was typed; empty if all could.
     const std::string& correction() const { return correction_; }
 
 private:
     void note_area(const char* label, const ImVec2& low, const ImVec2& high, const std::string& value);
-    void begin_row(const char* label, bool bright);
+    void begin_row(const char* label, bool bright, bool of_number = false);
+    void wait_for(double seconds) const;
+    void draw_absent(const std::string& text, float width) const;
     float control_width() const;
     bool back_arrow(const char* label, bool differs);
     void frame_if_marked(const char* label);  // the last item
 
     UiMap& map_;
     std::optional<Mark>& mark_;
+    WidgetMemory& memory_;
     std::string correction_;
 };
 

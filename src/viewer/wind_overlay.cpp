@@ -78,12 +78,11 @@ bool wind_compass(double& speed, double& degrees, double most, Widgets& widgets)
         speed = std::round(10.0 * most * share * share) / 10.0;  // light winds have the more room
         if (glm::length(out) > 2.0f) degrees = std::round(glm::degrees(std::atan2(double(out.y), double(out.x))));
         changed = true;
-    } else if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip(
-            "Seen from above, the flag to the right of its pole, its front below. Drag the handle to\n"
-            "where the wind is to blow: further out is faster, %.0f m/s at the rim.",
-            most);
     }
+    widgets.tip(fmt::format("Seen from above, the flag to the right of its pole, its front below. Drag the handle to "
+                            "where the wind is to blow: further out is faster, {:.0f} m/s at the rim.",
+                            most)
+                    .c_str());
 
     ImDrawList* list = ImGui::GetWindowDrawList();
     const ImU32 line = IM_COL32(74, 90, 110, 255), text = IM_COL32(147, 160, 176, 255);

@@ -76,11 +76,14 @@ MouseButton button_of(int code) {
     }
 }
 
+constexpr double waited_seconds = 0.005;  // what comes sooner after events are asked for had waited
+
 InputEvent& queue(GLFWwindow* window, Kind kind) {
     auto& waiting = *static_cast<InputQueue*>(glfwGetWindowUserPointer(window));
     InputEvent& event = waiting.events.emplace_back();
     event.kind = kind;
     event.time = glfwGetTime();
+    event.since = event.time - waiting.asked < waited_seconds ? waiting.emptied : event.time;
     event.at = waiting.mouse;
     return event;
 }
@@ -248,11 +251,13 @@ void Window::stay_open() {
 }
 
 std::vector<InputEvent> Window::poll(double wait) {
+    queue_.asked = glfwGetTime();
     if (wait > 0.0)
         glfwWaitEventsTimeout(wait);
     else
         glfwPollEvents();
     measure();
+    queue_.emptied = glfwGetTime();
     return std::exchange(queue_.events, {});
 }
 
