@@ -1,4 +1,6 @@
 // Counts what OpenGL complains about, through the debug context where there is one, and prints each complaint.
+// DRAPEAU_GL_DEBUG=1 in the environment asks for one; DRAPEAU_GL_DEBUG=all prints the driver's notes too, such as those
+// on performance.
 #pragma once
 
 #include <atomic>

@@ -237,10 +237,10 @@ void draw_readings(const AppState& app, Widgets& widgets) {
                     "Wall-clock time of one step.");
     widgets.reading(
         "Frame",
-        s.clock ? quantity(s.frame_seconds, "s") + ",  own " + quantity(s.own_seconds, "s") : std::string(none),
-        "Wall-clock time from picture to picture; and the processor time that the window itself takes of it, for "
-        "input, "
-        "panels and what the picture is made from, without the graphics driver and the simulation.");
+        s.clock ? quantity(s.frame_seconds, "s") + fmt::format(",  own {:.2f} ms", 1e3 * s.own_seconds)
+                : std::string(none),
+        "Wall-clock time from picture to picture. Own: the processor time of it that the window itself takes, for "
+        "input, panels and what the picture is made from, without the graphics driver and the simulation.");
     const Readings& r = s.readings;
     show_energy(r, widgets);
     widgets.reading(
