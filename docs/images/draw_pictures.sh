@@ -32,6 +32,8 @@ still bare-grid breeze --set view.bare_grid=true
 still springs breeze --springs
 still forces breeze --forces
 still masses breeze --masses
+still stretch breeze --set view.stretch=true
+still velocities breeze --set view.velocities=true
 still wind breeze --set view.wind=true
 still person breeze --set view.person=true
 still studio breeze --set view.background=studio

@@ -11,7 +11,7 @@ LinePass::LinePass() : buffer_(make_buffer()), array_(make_vertex_array()) {
     const auto add = [&](GLint count, std::size_t offset) {
         glEnableVertexAttribArray(place);
         glVertexAttribPointer(place, count, GL_FLOAT, GL_FALSE, sizeof(Streak),
-                              reinterpret_cast<const void*>(offset));  // NOLINT: so OpenGL names a place in a buffer
+                              reinterpret_cast<const void*>(offset));  // so OpenGL names a place in a buffer
         glVertexAttribDivisor(place++, 1);
     };
     add(3, offsetof(Streak, from));

@@ -30,7 +30,7 @@ public:
     double share() const { return scale_.end(); }
 
 private:
-    RoundScale scale_;
+    RoundScale scale_{0.9};  // colours are to use most of their range
 };
 
 }  // namespace drapeau

@@ -75,6 +75,7 @@ TEST_CASE("between the masses the surface is smooth, and a switch shows the bare
     const Box around{flag.x0 - 20, flag.y0 - 20, flag.x1 + 20, flag.y1 + 20};
     const drapeau::Image smooth = app.picture();
     app.click("Page: View");
+    app.show("Bare grid");
     app.set("Bare grid", true);
     const drapeau::Image bare = app.picture();
     app.set("Cloth", false);
