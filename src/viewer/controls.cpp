@@ -84,8 +84,8 @@ void Controls::press(const InputEvent& event, bool claimed, AppState& app) {
     if (event.button == MouseButton::right || event.button == MouseButton::middle) drag_ = Drag::slide;
     if (event.button != MouseButton::left) return;
     drag_ = Drag::turn;
-    const bool twice =
-        event.time - pressed_time_ < double_click_seconds && glm::length(event.at - pressed_at_) < double_click_pixels;
+    const bool twice = event.time - event.waited - pressed_time_ < double_click_seconds &&
+                       glm::length(event.at - pressed_at_) < double_click_pixels;
     if (twice) app.commands.reset_camera = true;
     pressed_time_ = twice ? -1e6 : event.time;
     pressed_at_ = event.at;
