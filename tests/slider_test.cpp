@@ -42,11 +42,11 @@ TEST_CASE("numbers stand with their unit and without long exponents, and are rea
 }
 
 TEST_CASE("two presses at one place are a double click if they may have been near in time", "[slider]") {
-    const auto press = [](double since, double time, float x) {
+    const auto press = [](double earliest, double time, float x) {
         InputEvent event;
         event.kind = InputEvent::Kind::press;
         event.button = MouseButton::left;
-        event.since = since;
+        event.waited = time - earliest;
         event.time = time;
         event.at = {x, 10.0f};
         return event;

@@ -14,7 +14,6 @@ namespace drapeau {
 namespace {
 
 constexpr double double_click_seconds = 0.4;
-constexpr double slow_double_click_seconds = 1.0;  // where a slow picture alone lies between
 constexpr float double_click_pixels = 6.0f;
 constexpr float click_pixels = 4.0f;  // a hand that clicks moves by less
 
@@ -30,7 +29,6 @@ void load_dropped(const std::string& file, AppState& app) {
 void Controls::apply(const std::vector<InputEvent>& events, const Claims& claims, const Framing& framing, AppState& app,
                      Camera& camera) {
     using Kind = InputEvent::Kind;
-    ++frame_;
     carry_out(std::exchange(app.palette.wanted, nullptr), app, camera);
     for (std::size_t i = 0; i < events.size(); ++i) {
         const InputEvent& event = events[i];
@@ -99,14 +97,12 @@ void Controls::begin_drag(const InputEvent& event, AppState& app) {
     if (event.button != MouseButton::left) return;
     drag_ = Drag::turn;
     pressed_time_ = event.time;
-    pressed_frame_ = frame_;
     pressed_at_ = event.at;
     still_ = true;
 }
 
 bool Controls::is_second_of_two(const InputEvent& event) const {
-    const bool slow = frame_ - pressed_frame_ <= 1;  // events are timed once a frame, when they are asked for
-    return event.time - pressed_time_ < (slow ? slow_double_click_seconds : double_click_seconds) &&
+    return event.time - event.waited - pressed_time_ < double_click_seconds &&
            glm::length(event.at - pressed_at_) < double_click_pixels;
 }
 

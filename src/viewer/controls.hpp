@@ -35,7 +35,6 @@ private:
     // The last press that began to turn the flag.
     glm::vec2 pressed_at_{-1e6f};
     double pressed_time_ = -1e6;  // s
-    long long frame_ = 0, pressed_frame_ = -2;
     bool still_ = false;  // the mouse has not moved since then
 };
 

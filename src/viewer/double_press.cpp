@@ -9,7 +9,7 @@ std::optional<glm::vec2> DoublePress::in(const std::vector<InputEvent>& events) 
     std::optional<glm::vec2> found;
     for (const InputEvent& event : events) {
         if (event.kind != InputEvent::Kind::press || event.button != MouseButton::left) continue;
-        const bool twice = event.since - pressed_ < seconds && glm::length(event.at - at_) < pixels;
+        const bool twice = event.time - event.waited - pressed_ < seconds && glm::length(event.at - at_) < pixels;
         if (twice) found = event.at;
         pressed_ = twice ? -1e6 : event.time;
         at_ = event.at;

@@ -45,7 +45,7 @@ struct InputEvent {
     char letter = '\0';    // of a key: the shortcut letter it stands for, a to z
     char32_t typed = 0;    // of a character
     double time = 0.0;     // s
-    double since = 0.0;    // s; it may have waited since then, while a frame was drawn
+    double waited = 0.0;   // s; as long it may have waited before that, while a frame was drawn
     glm::vec2 at{0.0f};    // the mouse, in window units from the upper left corner
     float amount = 0.0f;   // notches of the wheel, away from the hand is positive
     std::string file{};    // what was dropped

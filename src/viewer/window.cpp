@@ -76,14 +76,14 @@ MouseButton button_of(int code) {
     }
 }
 
-constexpr double waited_seconds = 0.005;  // what comes sooner after events are asked for had waited
+constexpr double at_once = 0.005;  // s; what comes so soon after events are asked for had waited
 
 InputEvent& queue(GLFWwindow* window, Kind kind) {
     auto& waiting = *static_cast<InputQueue*>(glfwGetWindowUserPointer(window));
     InputEvent& event = waiting.events.emplace_back();
     event.kind = kind;
     event.time = glfwGetTime();
-    event.since = event.time - waiting.asked < waited_seconds ? waiting.emptied : event.time;
+    if (event.time - waiting.asked < at_once) event.waited = event.time - waiting.emptied;
     event.at = waiting.mouse;
     return event;
 }
