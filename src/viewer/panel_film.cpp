@@ -1,6 +1,8 @@
 // The film dialog, and how far a film under way is.
 #include "panels.hpp"
 
+#include "box_room.hpp"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -24,12 +26,12 @@ void claim_window(AppState& app) {
 /// At the foot of the view, so that the flag stays in sight.
 float place_at_foot(const AppState& app, float wanted_width, float rows) {
     const float scale = ImGui::GetFontSize() / usual_font;
-    const float width = std::min(wanted_width * scale, app.view_area.width() - 24.0f * scale);
+    const Area view = room_for_box(app, (wanted_width + 24.0f) * scale);
+    const float width = std::min(wanted_width * scale, view.width() - 24.0f * scale);
     const float height = rows * ImGui::GetFrameHeightWithSpacing() + 2.0f * ImGui::GetStyle().WindowPadding.y -
                          ImGui::GetStyle().ItemSpacing.y;
-    ImGui::SetNextWindowPos({(app.view_area.x0 + app.view_area.x1) / 2.0f, app.view_area.y1 - 14.0f * scale},
-                            ImGuiCond_Always, {0.5f, 1.0f});
-    ImGui::SetNextWindowSize({width, std::min(height, app.view_area.height() - 28.0f * scale)});
+    ImGui::SetNextWindowPos({(view.x0 + view.x1) / 2.0f, view.y1 - 14.0f * scale}, ImGuiCond_Always, {0.5f, 1.0f});
+    ImGui::SetNextWindowSize({width, std::min(height, view.height() - 28.0f * scale)});
     return width;
 }
 

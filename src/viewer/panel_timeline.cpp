@@ -74,23 +74,27 @@ void draw_speed(AppState& app, Widgets& widgets) {
 void draw_travel(AppState& app, Widgets& widgets) {
     Travel& travel = app.commands.travel;
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
-    const float width = (ImGui::GetContentRegionAvail().x - 4.0f * spacing) / 5.0f;
+    constexpr const char* names[] = {"Reverse", "-1 s", "-frame", "+frame", "+1 s"};
+    float room = ImGui::GetContentRegionAvail().x - 4.0f * spacing;
+    for (const char* name : names) room -= ImGui::CalcTextSize(name).x;
+    // Each with as much room beside its name.
+    const auto width = [&](int n) { return ImGui::CalcTextSize(names[n]).x + room / 5.0f; };
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0f, ImGui::GetStyle().FramePadding.y});
     if (widgets.button("Play backwards",
-                       "Lets what is kept pass backwards, at the speed above; Pause ends it. Key Backspace", width,
-                       "Reverse"))
+                       "Lets what is kept pass backwards, at the speed above; Pause ends it. Key Backspace", width(0),
+                       names[0]))
         travel.backwards = true;
     ImGui::SameLine();
-    if (widgets.button("Second back", "Looks at the moment kept a second earlier. Key Page Up", width, "-1 s"))
+    if (widgets.button("Second back", "Looks at the moment kept a second earlier. Key Page Up", width(1), names[1]))
         travel.seconds = -1;
     ImGui::SameLine();
-    if (widgets.button("Frame back", "Looks at the moment kept a frame, 1/60 s, earlier. Key ,", width, "-frame"))
+    if (widgets.button("Frame back", "Looks at the moment kept a frame, 1/60 s, earlier. Key ,", width(2), names[2]))
         travel.frames = -1;
     ImGui::SameLine();
-    if (widgets.button("Frame", "One frame on: 1/60 s of simulated time, then a pause. Key N", width, "+frame"))
+    if (widgets.button("Frame", "One frame on: 1/60 s of simulated time, then a pause. Key N", width(3), names[3]))
         travel.frames = 1;
     ImGui::SameLine();
-    if (widgets.button("Second", "One second of simulated time on, then a pause. Key Page Down", width, "+1 s"))
+    if (widgets.button("Second", "One second of simulated time on, then a pause. Key Page Down", width(4), names[4]))
         travel.seconds = 1;
     ImGui::PopStyleVar();
 }

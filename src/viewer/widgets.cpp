@@ -49,6 +49,13 @@ bool stacks() {
     return bar < shortest_bar * ImGui::GetFontSize();
 }
 
+/// Where the values of readings begin: with the controls, or sooner in a panel that is narrow.
+float reading_column() {
+    const float left = ImGui::GetWindowContentRegionMin().x, width = ImGui::GetWindowContentRegionMax().x - left;
+    if (stacks()) return left + ImGui::CalcTextSize("Reference").x + ImGui::GetStyle().ItemSpacing.x;
+    return left + label_share * width;
+}
+
 const std::string how_to_type = "\nA double click on the bar, or a click on the number, lets it be typed.";
 
 bool differ(double a, double b) {
@@ -107,13 +114,13 @@ void Widgets::tip(const char* text) const {
     wait_for(show_tip(text, memory_.tip, map_));
 }
 
-void Widgets::begin_row(const char* label, bool bright, bool of_number) {
+void Widgets::begin_row(const char* label, bool bright) {
     ImGui::AlignTextToFramePadding();
     if (bright)
         ImGui::TextUnformatted(label);
     else
         ImGui::TextDisabled("%s", label);
-    if (of_number && stacks()) return;
+    if (stacks()) return;
     ImGui::SameLine(ImGui::GetWindowContentRegionMin().x +
                     label_share * (ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x));
 }
@@ -178,7 +185,7 @@ bool Widgets::bar(const char* label, double& shown, const SliderScale& scale, fl
 
 bool Widgets::slider(const char* label, double& value, const SliderScale& scale, double origin, const char* tip_text) {
     ImGui::PushID(label);
-    begin_row(label, true, true);
+    begin_row(label, true);
     double shown = value * scale.shown_per_unit;
     bool changed = bar(label, shown, scale, control_width(), tip_text);
     if (changed) value = shown / scale.shown_per_unit;
@@ -192,7 +199,7 @@ bool Widgets::slider(const char* label, double& value, const SliderScale& scale,
 
 bool Widgets::slider(const char* label, int& value, int low, int high, int origin, const char* tip_text) {
     ImGui::PushID(label);
-    begin_row(label, true, true);
+    begin_row(label, true);
     double shown = value;
     const SliderScale scale{.low = double(low), .high = double(high), .format = "%.0f", .whole = true};
     bool changed = bar(label, shown, scale, control_width(), tip_text);
@@ -226,7 +233,7 @@ bool Widgets::term(const char* label, std::optional<double>& value, const Slider
                    const std::optional<double>& origin, double usual, const std::string& absent, const char* tip_text,
                    const char* switch_tip) {
     ImGui::PushID(label);
-    begin_row(label, value.has_value(), true);
+    begin_row(label, value.has_value());
     bool on = value.has_value();
     bool changed = ImGui::Checkbox("##on", &on);
     note((std::string(label) + " on").c_str(), on ? "1" : "0");
@@ -324,8 +331,7 @@ bool Widgets::page(const char* label, bool chosen, float width) {
 
 void Widgets::reading(const char* label, const std::string& value, const char* tip_text, Mood mood) {
     ImGui::TextDisabled("%s", label);
-    const float left = ImGui::GetWindowContentRegionMin().x;
-    ImGui::SameLine(left + label_share * (ImGui::GetWindowContentRegionMax().x - left));
+    ImGui::SameLine(reading_column());
     ImGui::PushStyleColor(ImGuiCol_Text, mood == Mood::calm    ? ImGui::GetStyleColorVec4(ImGuiCol_Text)
                                          : mood == Mood::close ? amber
                                                                : red);
@@ -347,15 +353,17 @@ void Widgets::remark(const char* label, const std::string& text, const char* tip
 
 void Widgets::gauge(const char* label, double share, Mood mood, const std::string& text, const char* tip_text) {
     ImGui::TextDisabled("%s", label);
-    const float left = ImGui::GetWindowContentRegionMin().x;
-    ImGui::SameLine(left + label_share * (ImGui::GetWindowContentRegionMax().x - left));
+    ImGui::SameLine(reading_column());
     const ImVec4 calm(0.24f, 0.52f, 0.40f, 1.0f), close(0.66f, 0.47f, 0.13f, 1.0f), past(0.72f, 0.22f, 0.20f, 1.0f);
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, mood == Mood::bad ? past : mood == Mood::close ? close : calm);
     ImGui::ProgressBar(float(std::clamp(share, 0.0, 1.0)), {-1.0f, ImGui::GetTextLineHeight() + 2.0f}, "");
     ImGui::PopStyleColor();
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    ImGui::GetWindowDrawList()->AddText({(low.x + high.x - size.x) / 2.0f, (low.y + high.y - size.y) / 2.0f},
+    ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float smaller = std::min(1.0f, (high.x - low.x - 4.0f) / size.x);  // so that it stays within
+    size = {smaller * size.x, smaller * size.y};
+    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), smaller * ImGui::GetFontSize(),
+                                        {(low.x + high.x - size.x) / 2.0f, (low.y + high.y - size.y) / 2.0f},
                                         ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
     note(("Reading: " + std::string(label)).c_str(), text);
     tip(tip_text);

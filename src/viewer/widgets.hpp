@@ -66,7 +66,7 @@ public:
 
 private:
     void note_area(const char* label, const ImVec2& low, const ImVec2& high, const std::string& value);
-    void begin_row(const char* label, bool bright, bool of_number = false);
+    void begin_row(const char* label, bool bright);
     void wait_for(double seconds) const;
     void draw_absent(const std::string& text, float width) const;
     float control_width() const;
