@@ -74,6 +74,12 @@ void Controls::apply(const std::vector<InputEvent>& events, const Claims& claims
 void Controls::press(const InputEvent& event, bool claimed, AppState& app) {
     if (drag_ == Drag::pull) app.hand.let_go();
     drag_ = Drag::none;
+    // What the first press of two opened may lie under the second.
+    const bool left = event.button == MouseButton::left && !event.shift;
+    const bool twice = left && event.time - event.waited - pressed_time_ < double_click_seconds &&
+                       glm::length(event.at - pressed_at_) < double_click_pixels;
+    if (twice) app.commands.reset_camera = true;
+    if (twice) pressed_time_ = -1e6;
     if (claimed) return;
     last_ = event.at;
     still_ = false;
@@ -82,12 +88,9 @@ void Controls::press(const InputEvent& event, bool claimed, AppState& app) {
         return app.hand.take_hold(event.at);
     }
     if (event.button == MouseButton::right || event.button == MouseButton::middle) drag_ = Drag::slide;
-    if (event.button != MouseButton::left) return;
+    if (!left) return;
     drag_ = Drag::turn;
-    const bool twice = event.time - event.waited - pressed_time_ < double_click_seconds &&
-                       glm::length(event.at - pressed_at_) < double_click_pixels;
-    if (twice) app.commands.reset_camera = true;
-    pressed_time_ = twice ? -1e6 : event.time;
+    if (!twice) pressed_time_ = event.time;
     pressed_at_ = event.at;
     still_ = !twice;
 }
