@@ -42,7 +42,7 @@ TEST_CASE("in a narrow window the panel steps aside until it is opened, whatever
     CHECK(app.panel_area.width() > 0.5f * 480.0f);
     app.toggle_panel();
     lay_out(app, 1280.0f, 800.0f, 1.0f);
-    CHECK(app.panel_area.width() == 348.0f);
+    CHECK(app.panel_area.width() == 384.0f);
     app.toggle_panel();
     lay_out(app, 1280.0f, 800.0f, 1.0f);
     CHECK(!app.panel_open());

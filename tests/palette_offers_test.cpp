@@ -23,7 +23,7 @@ TEST_CASE("every button of the panel is found by what it says, or by what it is 
              {"save shape", "Save shape"},
              {"obj", "Save shape"},
              {"plots", "Plots"},
-             {"film", "Make a film"},
+             {"film", "Film"},
              {"gallery of flags", "Gallery of flags"},
              {"gallery of scenes", "Gallery of scenes"},
              {"reset all", "Reset all"},

@@ -36,7 +36,7 @@ std::set<std::string> found(const std::string& text, const char* pattern) {
 /// The uniforms that shaders declare, of which one declaration may name several.
 std::set<std::string> declared_uniforms() {
     std::set<std::string> names;
-    for (const std::string& list : found(text_of(project / "shaders"), R"(uniform \w+ ([\w, ]+);)"))
+    for (const std::string& list : found(text_of(project / "shaders"), R"(uniform \w+ ([\w, ]+)(?:\[\d+\])?;)"))
         names.merge(found(list, R"((\w+))"));
     return names;
 }

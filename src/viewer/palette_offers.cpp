@@ -102,6 +102,7 @@ void add_buttons(const AppState& app, std::vector<PaletteItem>& items) {
     add_control(items, "Accuracy", "trade, tolerance", "Accuracy", trade_page);
     add_deed(items, "Gallery of scenes", "scenes to choose from", [](AppState& to) { to.scenes_shown = true; });
     add_deed(items, "Save shape", "obj, export the mesh", [](AppState& to) { to.commands.save_shape = true; });
+    add_deed(items, "Film", "record a video, mp4, gif", [](AppState& to) { to.film.open = true; });
     add_deed(items, "Reset all", "settings back to the scene's values", [](AppState& to) { to.scene = to.origin; });
     add_deed(items, "Measure settings", "trade speed for accuracy", [](AppState& to) {
         to.commands.measure = Subject::trade;

@@ -160,7 +160,7 @@ bool Widgets::bar(const char* label, double& shown, const SliderScale& scale, fl
     ImGui::PushID(label);
     const unsigned id = ImGui::GetID("bar");
     const std::string tip_of_bar = tip_text + how_to_type;
-    const auto note_bar = [&] { note(label, noted.empty() ? digits(shown) : noted); };
+    const auto note_bar = [&] { note(label, noted.empty() ? digits(scale.whole ? std::trunc(shown) : shown) : noted); };
     bool changed = false;
     if (is_typed(id, {width, ImGui::GetFrameHeight()}, shown, bars)) {
         changed = edit_number(shown, scale, width, bars);
