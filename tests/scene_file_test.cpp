@@ -698,7 +698,8 @@ TEST_CASE("a scene is found by path or by its shipped name") {
 TEST_CASE("a texture lies beside the scene or among the flags") {
     const Folder folder;
     folder.write("france.png", "mine");
-    const fs::path scene = folder.write("x.toml", std::string(springs) + "[flag]\ncolumns = 4\ntexture = \"none.png\"\n");
+    const fs::path scene =
+        folder.write("x.toml", std::string(springs) + "[flag]\ncolumns = 4\ntexture = \"none.png\"\n");
     const std::string place = place_of_texture(scene);
     const auto found = [&](const std::string& texture) { return find_texture(texture, scene, place); };
     CHECK(found("france.png") == folder.path / "france.png");

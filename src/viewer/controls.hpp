@@ -35,7 +35,7 @@ private:
     // The last press that began to turn the flag.
     glm::vec2 pressed_at_{-1e6f};
     double pressed_time_ = -1e6;  // s
-    bool still_ = false;  // the mouse has not moved since then
+    bool still_ = false;          // the mouse has not moved since then
 };
 
 }  // namespace drapeau
