@@ -221,8 +221,8 @@ void App::show(const std::string& label) {
     settle();  // a page just opened lies where it stays only once it has been drawn
     const Point page = look().box("panel").at(0.5, 0.5);
     for (int turns = 0; !look().has(label); ++turns) {
-        if (turns == 40) give_up("scrolling the page does not bring '" + label + "' into sight");
-        wheel(page, -2);
+        if (turns == 60) give_up("scrolling the page does not bring '" + label + "' into sight");
+        wheel(page, -1);
     }
 }
 
