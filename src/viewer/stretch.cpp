@@ -1,18 +1,16 @@
 #include "stretch.hpp"
 
+#include "usual_size.hpp"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace drapeau {
 
 namespace {
-
-constexpr double usual_part = 0.95;
-constexpr int asked_along_side = 64;  // masses, at most, along either side
 
 /// Along the springs to the masses `right` and `down` from one and opposite to it.
 double stretch_along(const FieldBuffer<float>& position, double rest, int column, int row, int right, int down) {
@@ -43,15 +41,8 @@ double stretch_at(const FieldBuffer<float>& position, const SpringKinds& kinds, 
 }
 
 double usual_stretch(const FieldBuffer<float>& position, const SpringKinds& kinds) {
-    const int apart_x = 1 + position.columns() / asked_along_side, apart_y = 1 + position.rows() / asked_along_side;
-    std::vector<double> sizes;
-    for (int row = 0; row < position.rows(); row += apart_y)
-        for (int column = 0; column < position.columns(); column += apart_x)
-            sizes.push_back(std::abs(stretch_at(position, kinds, column, row)));
-    if (sizes.empty()) return 0.0;
-    const auto at = sizes.begin() + std::ptrdiff_t(usual_part * double(sizes.size() - 1));
-    std::nth_element(sizes.begin(), at, sizes.end());
-    return *at;
+    return usual_size(position.columns(), position.rows(),
+                      [&](int column, int row) { return std::abs(stretch_at(position, kinds, column, row)); });
 }
 
 }  // namespace drapeau

@@ -1,5 +1,7 @@
 #include "velocity_lines.hpp"
 
+#include "usual_size.hpp"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -11,23 +13,14 @@ namespace drapeau {
 namespace {
 
 constexpr float along_side = 18.0f;  // lines
-constexpr double usual_part = 0.95;
-constexpr int asked_along_side = 64;  // masses, at most, along either side
-constexpr double longest = 3.0;       // of the length asked for
-constexpr double shortest = 0.01;     // of the length asked for; what is shorter is left out
+constexpr double longest = 3.0;      // of the length asked for
+constexpr double shortest = 0.01;    // of the length asked for; what is shorter is left out
 
 }  // namespace
 
 double usual_speed(const FieldBuffer<float>& velocity) {
-    const int apart_x = 1 + velocity.columns() / asked_along_side, apart_y = 1 + velocity.rows() / asked_along_side;
-    std::vector<double> speeds;
-    for (int row = 0; row < velocity.rows(); row += apart_y)
-        for (int column = 0; column < velocity.columns(); column += apart_x)
-            speeds.push_back(glm::length(velocity.at(column, row)));
-    if (speeds.empty()) return 0.0;
-    const auto at = speeds.begin() + std::ptrdiff_t(usual_part * double(speeds.size() - 1));
-    std::nth_element(speeds.begin(), at, speeds.end());
-    return *at;
+    return usual_size(velocity.columns(), velocity.rows(),
+                      [&](int column, int row) { return glm::length(velocity.at(column, row)); });
 }
 
 glm::ivec2 lines_apart(int columns, int rows, glm::vec2 cell) {
