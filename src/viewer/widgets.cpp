@@ -1,66 +1,20 @@
+#include "row_layout.hpp"
 #include "widgets.hpp"
 
 #include "io/text.hpp"
 
-#include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace drapeau {
 
 namespace {
 
-constexpr float label_share = 0.40f;  // of a row's width
-constexpr double same = 1e-9;         // relative: two numbers a slider cannot tell apart
-constexpr float shortest_bar = 2.4f;  // lines of text
 const ImVec4 amber(1.0f, 0.76f, 0.38f, 1.0f), red(1.0f, 0.52f, 0.46f, 1.0f);  // of text
-
-float arrow_width() {
-    return ImGui::GetFrameHeight();
-}
-
-std::string digits(double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
-
-float gap_to_number() {
-    return ImGui::GetStyle().ItemInnerSpacing.x;
-}
-
-/// Of the column that numbers stand in.
-float number_width(const char* widest) {
-    return ImGui::CalcTextSize(widest).x + ImGui::GetStyle().FramePadding.x;
-}
-
-/// Whether a row is too narrow for its label, a switch, a bar, the number and the arrow: the label has its own line.
-bool stacks() {
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const float width = ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x;
-    const float bar = (1.0f - label_share) * width - 2.0f * (arrow_width() + style.ItemSpacing.x) - gap_to_number() -
-                      number_width(SliderScale{}.widest);
-    return bar < shortest_bar * ImGui::GetFontSize();
-}
-
-/// Where the values of readings begin: with the controls, or sooner in a panel that is narrow.
-float reading_column() {
-    const float left = ImGui::GetWindowContentRegionMin().x, width = ImGui::GetWindowContentRegionMax().x - left;
-    if (stacks()) return left + ImGui::CalcTextSize("Reference").x + ImGui::GetStyle().ItemSpacing.x;
-    return left + label_share * width;
-}
-
-const std::string how_to_type = "\nA double click on the bar, or a click on the number, lets it be typed.";
-
-bool differ(double a, double b) {
-    return std::abs(a - b) > same * std::max(std::abs(a), std::abs(b));
-}
 
 }  // namespace
 
@@ -152,111 +106,6 @@ bool Widgets::back_arrow(const char* label, bool differs) {
     note((std::string("Back: ") + label).c_str(), "");
     tip("Back to the scene's value.");
     return clicked;
-}
-
-bool Widgets::bar(const char* label, double& shown, const SliderScale& scale, float width, const char* tip_text,
-                  const std::string& noted) {
-    BarMemory& bars = memory_.bars;
-    ImGui::PushID(label);
-    const unsigned id = ImGui::GetID("bar");
-    const std::string tip_of_bar = tip_text + how_to_type;
-    const auto note_bar = [&] { note(label, noted.empty() ? digits(scale.whole ? std::trunc(shown) : shown) : noted); };
-    bool changed = false;
-    if (is_typed(id, {width, ImGui::GetFrameHeight()}, shown, bars)) {
-        changed = edit_number(shown, scale, width, bars);
-        note_bar();
-        ImGui::PopID();
-        return changed;
-    }
-    const auto text = [&] { return number_text(bars.click.bar == id ? bars.click.value : shown, scale.format); };
-    const float beside = std::max(number_width(scale.widest), number_width(text().c_str()));
-    double waits = 0.0;
-    changed = drag_bar(id, shown, scale, std::max(arrow_width(), width - beside - gap_to_number()), bars, waits);
-    wait_for(waits);
-    note_bar();
-    if (!ImGui::IsItemActive()) tip(tip_of_bar.c_str());
-    ImGui::SameLine(0.0f, gap_to_number());
-    if (draw_number(text(), beside) && !bars.typing.bar) type_number(id, shown, bars);
-    note(("Number: " + std::string(label)).c_str(), text());
-    tip(tip_of_bar.c_str());
-    ImGui::PopID();
-    return changed;
-}
-
-bool Widgets::slider(const char* label, double& value, const SliderScale& scale, double origin, const char* tip_text) {
-    ImGui::PushID(label);
-    begin_row(label, true);
-    double shown = value * scale.shown_per_unit;
-    bool changed = bar(label, shown, scale, control_width(), tip_text);
-    if (changed) value = shown / scale.shown_per_unit;
-    if (back_arrow(label, differ(value, origin))) {
-        value = origin;
-        changed = true;
-    }
-    ImGui::PopID();
-    return changed;
-}
-
-bool Widgets::slider(const char* label, int& value, int low, int high, int origin, const char* tip_text) {
-    ImGui::PushID(label);
-    begin_row(label, true);
-    double shown = value;
-    const SliderScale scale{.low = double(low), .high = double(high), .format = "%.0f", .whole = true};
-    bool changed = bar(label, shown, scale, control_width(), tip_text);
-    if (changed) value = int(shown);
-    if (shown != value) correction_ = fmt::format("{} is a whole number: {} is taken.", label, value);  // typed
-    if (back_arrow(label, value != origin)) {
-        value = origin;
-        changed = true;
-    }
-    ImGui::PopID();
-    return changed;
-}
-
-/// In the place of a bar and its number: what a number that is missing means.
-void Widgets::draw_absent(const std::string& text, float width) const {
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    const float height = ImGui::GetFrameHeight(), inset = 0.5f * ImGui::GetStyle().FramePadding.x;
-    const float beside = std::max(number_width(SliderScale{}.widest), number_width(text.c_str()));
-    const float bar = width - beside - gap_to_number(), half = 0.135f * height, middle = low.y + 0.5f * height;
-    ImGui::Dummy({width, height});
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    if (bar >= height)
-        list->AddRectFilled({low.x, middle - half}, {low.x + bar, middle + half},
-                            ImGui::GetColorU32(ImGuiCol_FrameBg, 0.6f), half);
-    const float left = bar >= height ? low.x + width - beside : low.x;
-    list->AddText({left + inset, low.y + ImGui::GetStyle().FramePadding.y}, ImGui::GetColorU32(ImGuiCol_TextDisabled),
-                  text.c_str());
-}
-
-bool Widgets::term(const char* label, std::optional<double>& value, const SliderScale& scale,
-                   const std::optional<double>& origin, double usual, const std::string& absent, const char* tip_text,
-                   const char* switch_tip) {
-    ImGui::PushID(label);
-    begin_row(label, value.has_value());
-    bool on = value.has_value();
-    bool changed = ImGui::Checkbox("##on", &on);
-    note((std::string(label) + " on").c_str(), on ? "1" : "0");
-    tip(switch_tip);
-    if (changed) value = on ? std::optional(origin.value_or(usual)) : std::nullopt;
-    ImGui::SameLine();
-    if (value) {
-        double shown = *value * scale.shown_per_unit;
-        if (bar(label, shown, scale, control_width(), tip_text)) {
-            value = shown / scale.shown_per_unit;
-            changed = true;
-        }
-    } else {
-        draw_absent(absent, control_width());
-        tip(tip_text);
-    }
-    const bool differs = value.has_value() != origin.has_value() || (value && differ(*value, *origin));
-    if (back_arrow(label, differs)) {
-        value = origin;
-        changed = true;
-    }
-    ImGui::PopID();
-    return changed;
 }
 
 bool Widgets::toggle(const char* label, bool& value, const char* tip_text, const char* shown) {
