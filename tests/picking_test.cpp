@@ -187,10 +187,12 @@ TEST_CASE("a readout tells the length, the stretch and the force of a spring, an
 
     readout.choose({.column = 1, .row = 0});
     readout.observe(snapshot, scene);
-    CHECK_FALSE(value("Speed"));                     // there was no moment before
+    CHECK_FALSE(value("Speed"));                     // the moment came without velocities
     CHECK(*value("Springs' pull") == Approx(10.0));  // 5 N from either side, both towards the hoist
     snapshot.time = 0.01;
     snapshot.position.set(1, 0, {0.55, 0.03, 0.04});
+    snapshot.velocity = FieldBuffer<float>(3, 1);
+    snapshot.velocity.set(1, 0, {0.0, 3.0, -4.0});
     readout.observe(snapshot, scene);
     CHECK(*value("Speed") == Approx(5.0));
     CHECK(*value("Upwards, y") == Approx(0.03));

@@ -166,6 +166,19 @@ TEST_CASE("readings are of the moment itself after a step or a change, and never
     thread.apply(windless, 1);
     const Moment changed = newest_of(thread);
     CHECK(changed.readings.time == changed.snapshot.time);
+
+    // Where the flag stands still they are asked for.
+    const auto is_old = [](const Moment& moment) { return moment.readings.time < moment.snapshot.time; };
+    Moment stands = changed;
+    for (int batch = 0; batch < 20 && !is_old(stands); ++batch) {
+        thread.ask_batches(1);
+        stands = newest_of(thread);
+    }
+    REQUIRE(is_old(stands));
+    thread.ask_now();
+    const Moment read = newest_of(thread);
+    CHECK(read.snapshot.time == stands.snapshot.time);
+    CHECK(read.readings.time == read.snapshot.time);
 }
 
 TEST_CASE("springs are drawn with the rest lengths and stiffnesses of the model") {

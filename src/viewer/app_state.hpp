@@ -94,6 +94,7 @@ struct Status {
     std::optional<ReferenceGap> reference;  // while one is shown and there is something to say of it
     double force_scale = 1.0;               // N, that the end of the force colours follows
     double stretch_scale = 1.0;             // share, the same of stretch
+    bool shows_kept = false;                // a moment that is looked back at
     double speed_scale = 1.0;               // m/s, of the longest line of velocities
     double pull_force = 0.0;                // N, of the hand that holds the cloth
     bool clock = true;                      // false: wall-clock readings are not shown, so that pictures repeat
@@ -218,9 +219,7 @@ inline void ask_to_forget(AppState& app) {
 /// Asks before what would end a film under way; without one it is done at once.
 inline void unless_filming(AppState& app, const std::string& what, std::function<void(AppState&)> then) {
     if (!app.film.under_way) return then(app);
-    app.question = Question{.text = "A film is being made: " + std::to_string(app.film.written) + " of " +
-                                    std::to_string(app.film.frames) + " frames of " + app.film.name + " are written. " +
-                                    what + " and lose it?",
+    app.question = Question{.text = "A film is being made: " + app.film.name + ". " + what + " and lose it?",
                             .answer = what,
                             .tip = "The film ends, and nothing is left of it.",
                             .then = std::move(then)};

@@ -175,7 +175,13 @@ void show_reference(const Status& s, Widgets& widgets) {
 }
 
 /// The energy there is, and what of it the method made or lost.
-void show_energy(const Readings& r, Widgets& widgets) {
+/// Readings of a moment that is looked back at may be a few frames older, which is said.
+std::string when_read(const Status& s) {
+    constexpr double same_time = 1e-6;  // s
+    return s.shows_kept && s.readings.time < s.time - same_time ? fmt::format(" at {:.2f} s", s.readings.time) : "";
+}
+
+void show_energy(const Readings& r, const std::string& when, Widgets& widgets) {
     const double total = r.kinetic_energy + r.spring_energy + r.gravity_energy;
     const std::string tip =
         "Kinetic " + joules(r.kinetic_energy) + ", elastic " + joules(r.spring_energy) + ", of height " +
@@ -186,9 +192,10 @@ void show_energy(const Readings& r, Widgets& widgets) {
         "exact method creates none; at 30 % the run is taken for broken. XPBD does not know what its forces did: of it "
         "nothing is said.";
     widgets.reading("Energy",
-                    r.created_share ? fmt::format("{},  {:.2g} % {}", joules(total), 100.0 * std::abs(*r.created_share),
-                                                  *r.created_share < 0.0 ? "lost" : "created")
-                                    : joules(total),
+                    when.empty() && r.created_share
+                        ? fmt::format("{},  {:.2g} % {}", joules(total), 100.0 * std::abs(*r.created_share),
+                                      *r.created_share < 0.0 ? "lost" : "created")
+                        : joules(total) + when,
                     tip.c_str());
 }
 
@@ -242,9 +249,11 @@ void draw_readings(const AppState& app, Widgets& widgets) {
         "Wall-clock time from picture to picture. Own: the processor time of it that the window itself takes, for "
         "input, panels and what the picture is made from, without the graphics driver and the simulation.");
     const Readings& r = s.readings;
-    show_energy(r, widgets);
+    const std::string when = when_read(s);
+    show_energy(r, when, widgets);
     widgets.reading(
-        "Stretch", "max " + per_cent(r.max_stretch, 1) + ",  mean " + per_cent(r.mean_stretch, 2),
+        "Stretch",
+        "max " + per_cent(r.max_stretch, 1) + (when.empty() ? ",  mean " + per_cent(r.mean_stretch, 2) : when),
         "How much longer the longest spring is than at rest, and the mean change of length of all springs.");
     if (s.limit) show_limit(r.limit, s.limit->stretch, widgets);
 }

@@ -74,7 +74,7 @@ void draw_panel(AppState& app, PanelMemory& memory, Widgets& widgets) {
     for (int i = 0; i < count; ++i) {
         if (i > 0) ImGui::SameLine(0.0f, spacing);
         const float width = ImGui::CalcTextSize(page_names[i]).x + room / count;
-        if (widgets.page(page_names[i], memory.page == i, width)) memory.page = i;
+        if (widgets.page(page_names[i], memory.page == i, width, page_tips[i])) memory.page = i;
     }
     ImGui::PopStyleVar();
     ImGui::Spacing();

@@ -12,6 +12,14 @@
 namespace drapeau {
 
 inline constexpr const char* page_names[] = {"Flag", "Springs", "Wind", "Time", "Trade", "View"};
+inline constexpr const char* page_tips[] = {
+    "The grid of masses, size, attachment and image.",
+    "Springs or a fabric, and what acts on the cloth.",
+    "The wind and its gusts.",
+    "Method, step and precision, files and films.",
+    "What accuracy costs: by method, by step, by part.",
+    "What is drawn, and in which colours.",
+};
 
 /// What the panels remember between frames.
 struct PanelMemory {

@@ -11,8 +11,6 @@ namespace drapeau {
 
 namespace {
 
-constexpr double longest_step = 0.5;  // s between two pictures of which a speed is told
-
 bool on_grid(const Grid& grid, int column, int row) {
     return column >= 0 && row >= 0 && column < grid.columns && row < grid.rows;
 }
@@ -61,10 +59,6 @@ void Readout::choose(const Selection& selection) {
 }
 
 void Readout::observe(const Snapshot& snapshot, const Scene& scene) {
-    if (snapshot.time != last_.time || last_.position.columns() == 0) {
-        std::swap(before_, last_);
-        last_ = snapshot;
-    }
     if (!chosen_) return;
     const Model model = model_of(scene);
     const Grid seen =
@@ -82,14 +76,9 @@ void Readout::read_mass(const Snapshot& snapshot, const Model& model) {
     const auto [column, row, right, down] = *chosen_;
     place_ = snapshot.position.at(column, row);
     std::optional<double> speed;
-    const double passed = last_.time - before_.time;
-    const bool alike = before_.position.columns() == last_.position.columns() &&
-                       before_.position.rows() == last_.position.rows() && last_.position.columns() > column;
-    if (alike && passed > 0.0 && passed < longest_step)
-        speed =
-            glm::distance(glm::dvec3(last_.position.at(column, row)), glm::dvec3(before_.position.at(column, row))) /
-            passed;
-    quantities_ = {{"Speed", "m/s", "The mean since the picture before.", 2, speed},
+    if (column < snapshot.velocity.columns() && row < snapshot.velocity.rows())
+        speed = glm::length(snapshot.velocity.at(column, row));
+    quantities_ = {{"Speed", "m/s", "Of the mass at this moment.", 2, speed},
                    {"Springs' pull", "N", "The sum of what all springs at the mass pull it with.", 3,
                     glm::length(pull_at(snapshot.position, model, column, row))},
                    {"Along the fly, x", "m", "From the upper corner of the hoist, away from the pole.", 3, place_.x},

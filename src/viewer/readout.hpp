@@ -29,7 +29,8 @@ public:
     void close() { chosen_.reset(); }
     const std::optional<Selection>& chosen() const { return chosen_; }
 
-    /// Takes in the masses as they are drawn. What is no part of another grid is read no more.
+    /// Takes in the masses as they are drawn; a mass has a speed where they come with velocities. What is no part of
+    /// another grid is read no more.
     void observe(const Snapshot& snapshot, const Scene& scene);
 
     const glm::dvec3& place() const { return place_; }  // m, of the mass, or of the spring's middle
@@ -53,7 +54,6 @@ private:
     glm::dvec3 place_{0.0};
     std::vector<Quantity> quantities_;
     std::deque<Sample> past_;
-    Snapshot last_, before_;  // the newest moment, and the one before it
 };
 
 /// Of the spring from one mass to another, as `selection` has it.

@@ -32,8 +32,9 @@ template <class Field>
 bool edit(Widgets& widgets, const Field& field, const std::string& tip, std::optional<double>& value,
           const std::optional<double>& origin) {
     const std::string absent = field.absent.empty() ? "not modelled" : std::string(field.absent);
+    const char* switch_tip = absent == "auto" ? "On: fixed by you. Off: automatic." : Widgets::usual_switch_tip;
     return widgets.term(field.about.label, value, scale_of(field.about, field.control), origin, field.control.usual,
-                        absent, tip.c_str());
+                        absent, tip.c_str(), switch_tip);
 }
 
 template <class Field, std::integral Whole>

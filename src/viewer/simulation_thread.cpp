@@ -89,11 +89,20 @@ void SimulationThread::restart_reference() {
     wanted_.notify_one();
 }
 
+void SimulationThread::ask_now() {
+    {
+        const std::lock_guard lock(mutex_);
+        now_asked_ = true;
+    }
+    wanted_.notify_one();
+}
+
 void SimulationThread::give_velocities(bool wanted) {
     {
         const std::lock_guard lock(mutex_);
         if (wanted == velocities_wanted_) return;
-        velocities_wanted_ = velocities_asked_ = wanted;
+        velocities_wanted_ = wanted;
+        now_asked_ = now_asked_ || wanted;
     }
     wanted_.notify_one();
 }
@@ -134,7 +143,7 @@ int SimulationThread::backlog() const {
 bool SimulationThread::idle() const {
     const std::lock_guard lock(mutex_);
     return !busy_ && !change_ && batches_ == 0 && single_steps_ == 0 && part_ == 0 && !newest_ && !failure_new_ &&
-           !reference_asked_ && !velocities_asked_ && !fork_asked_ && !(reference_ && reference_->behind());
+           !reference_asked_ && !now_asked_ && !fork_asked_ && !(reference_ && reference_->behind());
 }
 
 bool SimulationThread::settling() const {
@@ -158,7 +167,7 @@ void SimulationThread::wait() {
     std::unique_lock lock(mutex_);
     finished_.wait(lock, [this] {
         return !busy_ && !change_ && batches_ == 0 && single_steps_ == 0 && part_ == 0 && !reference_asked_ &&
-               !velocities_asked_;
+               !now_asked_;
     });
     const std::shared_ptr<ReferenceRun> reference = reference_;
     lock.unlock();

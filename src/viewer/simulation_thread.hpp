@@ -91,6 +91,8 @@ public:
     /// Whether a reference run follows, from where the run is when it begins. It begins anew with every change.
     void follow_reference(bool wanted);
     void restart_reference();
+    /// The present moment once more, its readings its own: while time passes they are a few batches old.
+    void ask_now();
     /// Whether moments come with velocities, from the present one on.
     void give_velocities(bool wanted);
     bool take_reference(ReferenceRun::Gap& newest);  // false if nothing is new since the last call
@@ -143,7 +145,7 @@ private:
     std::optional<Pull> pull_;
     std::shared_ptr<ReferenceRun> reference_;  // only the thread replaces it
     bool reference_wanted_ = false, reference_asked_ = false;
-    bool velocities_wanted_ = false, velocities_asked_ = false;
+    bool velocities_wanted_ = false, now_asked_ = false;
     Timeline timeline_;
     bool fork_asked_ = false;
     std::optional<Fork> fork_;

@@ -93,12 +93,12 @@ void SimulationThread::work() {
     while (true) {
         wanted_.wait(lock, [this] {
             return ending_ || change_ || batches_ > 0 || single_steps_ > 0 || part_ > 0 || reference_asked_ ||
-                   velocities_asked_ || fork_asked_;
+                   now_asked_ || fork_asked_;
         });
         if (ending_) return;
         busy_ = true;
         const bool reference_only = !change_ && batches_ == 0 && single_steps_ == 0 && part_ == 0;
-        const bool moves = std::exchange(velocities_asked_, false);
+        const bool moves = std::exchange(now_asked_, false);
         const bool begins = std::exchange(reference_asked_, false), forks = std::exchange(fork_asked_, false);
         const std::optional<Change> change = std::exchange(change_, std::nullopt);
         if (change && change->scene.flag.start == Start::hanging) settles_since_ = std::chrono::steady_clock::now();

@@ -94,7 +94,6 @@ void type_number(unsigned id, double value, BarMemory& memory) {
     memory.typing = {};
     memory.typing.bar = id;
     memory.typing.text = memory.typing.first_text = in_digits(value);
-    memory.typing.before = value;
     memory.typing.seen = true;
 }
 
@@ -175,10 +174,10 @@ bool edit_number(double& value, const SliderScale& scale, float width, BarMemory
     BarMemory::Typing& typing = memory.typing;
     if (!typing.active && typing.frames++ % frames_to_ask == 0) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(width);
-    const bool edited = ImGui::InputText("##typed", &typing.text,
-                                         ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackCharFilter |
-                                             ImGuiInputTextFlags_CallbackCompletion,
-                                         on_typing, &typing);
+    ImGui::InputText("##typed", &typing.text,
+                     ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackCharFilter |
+                         ImGuiInputTextFlags_CallbackCompletion,
+                     on_typing, &typing);
     const double before = value;
     const auto twice = memory.pressed_twice;
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
@@ -188,18 +187,16 @@ bool edit_number(double& value, const SliderScale& scale, float width, BarMemory
     const ImVec2 extent = ImGui::CalcTextSize(unit.c_str()), padding = ImGui::GetStyle().FramePadding;
     ImGui::GetWindowDrawList()->AddText({high.x - padding.x - extent.x, low.y + padding.y},
                                         ImGui::GetColorU32(ImGuiCol_TextDisabled), unit.c_str());
-    if (edited) {
-        const auto number = typed_number(typing.text);
-        if (typing.text == typing.first_text || !number)
-            value = typing.before;
-        else
-            value = std::clamp(*number, scale.low, scale.high);
-    }
     const bool was_active = typing.active;
     typing.active = ImGui::IsItemActive();
     const bool ends = (was_active && !typing.active) || typing.goes_on || typing.frames > frames_to_give_up;
     if (ends) {
         if (typing.active) ImGui::ClearActiveID();
+        // Escape brings the first text back.
+        if (const auto number = typed_number(typing.text); number && typing.text != typing.first_text) {
+            value = std::clamp(*number, scale.low, scale.high);
+            if (value != *number) memory.out_of_range = *number;
+        }
         const bool goes_on = typing.goes_on;
         typing = {};
         typing.goes_on = typing.seen = goes_on;

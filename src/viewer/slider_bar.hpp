@@ -29,12 +29,12 @@ struct BarMemory {
         bool active = false;  // and has the keyboard
         int frames = 0;       // since it is open and not active
         std::string text, first_text;
-        double before = 0.0;   // the value
         bool seen = false;     // in this frame
         bool goes_on = false;  // with the next bar: Tab was pressed
     };
     Click click;
     Typing typing;
+    std::optional<double> out_of_range;      // a number that was typed and not taken as it was
     std::optional<glm::vec2> pressed_twice;  // where, in this frame
 
     /// Whether keys belong to a field that does not have the keyboard yet.
@@ -55,6 +55,7 @@ void type_number(unsigned id, double value, BarMemory& memory);
 /// The bar alone. `waits`: the seconds until a click sets what it shows; 0 where none does.
 bool drag_bar(unsigned id, double& value, const SliderScale& scale, float width, BarMemory& memory, double& waits);
 bool draw_number(const std::string& text, float width);
+/// The number is taken once it is whole: at Enter, Tab, or a click elsewhere; Escape leaves the value as it was.
 bool edit_number(double& value, const SliderScale& scale, float width, BarMemory& memory);
 
 }  // namespace drapeau

@@ -8,6 +8,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <algorithm>
 #include <vector>
 
 namespace drapeau {
@@ -19,11 +20,12 @@ double usual_speed(const FieldBuffer<float>& velocity);
 /// The speed (m/s) at the end of the legend: a round number that follows the usual one closely.
 class SpeedScale {
 public:
-    void follow(const FieldBuffer<float>& velocity) { scale_.follow(usual_speed(velocity)); }
+    void follow(const FieldBuffer<float>& velocity) { scale_.follow(std::max(least, usual_speed(velocity))); }
     double end() const { return scale_.end(); }
 
 private:
-    RoundScale scale_{0.95};  // lines are to be long enough to be read
+    static constexpr double least = 0.1;  // m/s; what hardly moves is to look so
+    RoundScale scale_{0.95};              // lines are to be long enough to be read
 };
 
 /// Every how many columns and rows there is a line, so that at most 18 stand along the longer side and they are as far

@@ -241,8 +241,13 @@ void Viewer::send_settings() {
         simulation_.apply(app_.scene, ++revision_);
     if (app_.commands.restart || changed) sent_ = app_.scene;
     simulation_.follow_reference(app_.scene.view.reference);
-    simulation_.give_velocities(app_.scene.view.velocities);
+    simulation_.give_velocities(wants_velocities());
     if (app_.commands.restart_reference) simulation_.restart_reference();
+}
+
+bool Viewer::wants_velocities() const {
+    const auto& read = app_.readout.chosen();
+    return app_.scene.view.velocities || (read && !read->is_spring());
 }
 
 void Viewer::keep_proportions() {
@@ -301,6 +306,7 @@ void Viewer::show_moment() {
     status.readings = moment_.readings;
     status.divergence = moment_.divergence;
     status.failure = moment_.failure;
+    status.shows_kept = looked_at_ != nullptr;
     status.time = moment_.snapshot.time;
     status.steps = moment_.snapshot.steps;
     status.columns = moment_.snapshot.position.columns();

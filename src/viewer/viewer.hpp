@@ -102,6 +102,7 @@ private:
     void hear_of_film();
     void stop_film(const std::string& why);
     void save_shape();
+    bool wants_velocities() const;
     bool transparent() const { return app_.scene.view.background == Background::transparent; }
     void take_screenshot(const std::filesystem::path& file);
     void write_map();
@@ -113,7 +114,7 @@ private:
     void note_changes();  // of settings
     History::Entry entry_now() const;
     void undo_wanted();
-    void restore_image(const std::filesystem::path& file);
+    void restore_image(const std::filesystem::path& file, const std::string& asked_by = "");
     std::vector<InputEvent> wait_for_events();  // or for a scene file that is saved elsewhere
     void reload_wanted();
     void set_scene(Scene scene, const std::string& place);
@@ -151,6 +152,7 @@ private:
     KeptMomentPtr looked_at_;  // null: the newest
     SlowMotion slow_;
     bool picture_changed_ = false;
+    double read_at_ = -1.0;        // s, the moment whose own readings were asked for
     long long awaited_ = 0;        // the revision of the run that is shown next
     ReferenceRun::Gap reference_;  // as it was last compared
     Scene sent_;                   // the scene the simulation was last given
@@ -168,6 +170,7 @@ private:
     bool file_changed_ = false;
     std::filesystem::path first_file_;      // the scene's that the command line speaks of
     std::filesystem::path restored_image_;  // that is being loaded for settings that name it already
+    std::string restored_by_;               // what names it, before a message: "storm.toml:7: "
     std::filesystem::path settings_file_;   // empty: nothing is remembered
     UserSettings kept_settings_;            // as they are in the file
     double saved_settings_at_ = 0.0;        // s of wall-clock

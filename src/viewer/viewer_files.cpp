@@ -47,8 +47,10 @@ void Viewer::ask_before_loading() {
 // Files that cannot be used leave everything as it was, with a message.
 void Viewer::use(Loaded loaded) {
     if (!loaded.fault.empty()) {
+        const bool restored = !loaded.is_scene && !restored_image_.empty();
         if (!loaded.is_scene) restored_image_.clear();
-        say(app_, loaded.is_scene ? Message::Cause::scene : Message::Cause::image, loaded.fault, true);
+        say(app_, loaded.is_scene ? Message::Cause::scene : Message::Cause::image,
+            (restored ? restored_by_ : "") + loaded.fault, true);
     } else if (loaded.is_scene) {
         restored_image_.clear();
         opening_ = std::move(loaded.scene);

@@ -128,9 +128,10 @@ void Viewer::undo_wanted() {
 }
 
 /// The image that the scene's settings go with, which they name already.
-void Viewer::restore_image(const fs::path& file) {
+void Viewer::restore_image(const fs::path& file, const std::string& asked_by) {
     if (file == entry_now().image) return;
     restored_image_ = file;
+    restored_by_ = asked_by;
     if (!file.empty()) return loader_.load_image(file.string());
     loader_.forget_image();
     set_image({}, std::nullopt);
@@ -184,7 +185,7 @@ void Viewer::set_scene(Scene scene, const std::string& place) {
     app_.scene = std::move(scene);
     app_.diagonals.reset();
     window_.set_title("drapeau \xe2\x80\x93 " + printable(app_.scene.name));
-    if (!same_image) restore_image(image);
+    if (!same_image) restore_image(image, place + ": ");
 }
 
 void Viewer::clipboard_wanted() {

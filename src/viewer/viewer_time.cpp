@@ -103,7 +103,7 @@ void Viewer::play_backwards(double seconds) {
     Snapshot from, to;
     early->run->snapshot(from);
     late->run->snapshot(to);
-    if (app_.scene.view.velocities) early->run->velocity(from), late->run->velocity(to);
+    if (wants_velocities()) early->run->velocity(from), late->run->velocity(to);
     interpolate(from, to, (time - from.time) / (to.time - from.time), moment_.snapshot);
     picture_changed_ = true;
 }
@@ -172,8 +172,12 @@ void Viewer::receive_moment() {
         if (is_slow() && !slow_.empty()) slow_.show(moment_.snapshot);
         picture_changed_ = picture_changed_ || fresh || ends || is_slow();
     }
+    // Where time stands still readings are those of the moment.
+    const double now = newest_.snapshot.time;
+    if (!runs() && simulation_.idle() && newest_.readings.time != now && std::exchange(read_at_, now) != now)
+        simulation_.ask_now();
     const bool other_view = std::exchange(seen_view_, app_.scene.view) != app_.scene.view;
-    if (app_.scene.view.velocities && looked_at_ && moment_.snapshot.velocity.columns() == 0)
+    if (wants_velocities() && looked_at_ && moment_.snapshot.velocity.columns() == 0)
         looked_at_->run->velocity(moment_.snapshot);
     if (std::exchange(picture_changed_, false) || other_view) show_moment();
     receive_history();

@@ -168,13 +168,14 @@ bool Widgets::button(const char* label, const char* tip_text, float width, const
     return clicked || found;
 }
 
-bool Widgets::page(const char* label, bool chosen, float width) {
+bool Widgets::page(const char* label, bool chosen, float width, const char* tip_text) {
     ImGui::PushID("page");  // a switch may have the same label
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(chosen ? ImGuiCol_HeaderActive : ImGuiCol_FrameBg));
     const bool clicked = ImGui::Button(label, {width, 0.0f});
     ImGui::PopStyleColor();
     ImGui::PopID();
     note(("Page: " + std::string(label)).c_str(), chosen ? "1" : "0");
+    tip(tip_text);
     return clicked;
 }
 

@@ -24,6 +24,8 @@ struct WidgetMemory {
 
 class Widgets {
 public:
+    static constexpr const char* usual_switch_tip = "On or off. What is off is not computed and costs nothing.";
+
     /// `mark`: the control that is framed, if one is.
     Widgets(UiMap& map, std::optional<Mark>& mark, WidgetMemory& memory);
     ~Widgets();
@@ -39,14 +41,14 @@ public:
     /// `usual`. `switch_tip`: of the switch.
     bool term(const char* label, std::optional<double>& value, const SliderScale& scale,
               const std::optional<double>& origin, double usual, const std::string& absent, const char* tip,
-              const char* switch_tip = "On or off. What is off is not computed and costs nothing.");
+              const char* switch_tip = usual_switch_tip);
 
     /// `shown`: what stands beside it instead of its label.
     bool toggle(const char* label, bool& value, const char* tip, const char* shown = nullptr);
     bool choice(const char* label, int& index, const std::vector<std::string>& names, int origin, const char* tip);
     bool text(const char* label, std::string& value, const char* hint, const char* tip);
     bool button(const char* label, const char* tip, float width = 0.0f, const char* shown = nullptr);
-    bool page(const char* label, bool chosen, float width);
+    bool page(const char* label, bool chosen, float width, const char* tip);
 
     enum class Mood { calm, close, bad };  // of a reading: plain or green, amber, red
     void reading(const char* label, const std::string& value, const char* tip, Mood mood = Mood::calm);

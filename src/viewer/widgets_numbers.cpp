@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 namespace drapeau {
 
@@ -27,6 +28,11 @@ bool differ(double a, double b) {
     return std::abs(a - b) > same * std::max(std::abs(a), std::abs(b));
 }
 
+std::string in_full(double value, const SliderScale& scale) {
+    const std::string unit = unit_of(scale.format);
+    return digits(value) + (unit.empty() ? "" : " ") + unit;
+}
+
 }  // namespace
 
 bool Widgets::bar(const char* label, double& shown, const SliderScale& scale, float width, const char* tip_text,
@@ -39,6 +45,9 @@ bool Widgets::bar(const char* label, double& shown, const SliderScale& scale, fl
     bool changed = false;
     if (is_typed(id, {width, ImGui::GetFrameHeight()}, shown, bars)) {
         changed = edit_number(shown, scale, width, bars);
+        if (const auto typed = std::exchange(bars.out_of_range, std::nullopt))
+            correction_ = fmt::format("{} = {}: {} to {} is allowed, {} is taken.", label, in_full(*typed, scale),
+                                      in_full(scale.low, scale), in_full(scale.high, scale), in_full(shown, scale));
         note_bar();
         ImGui::PopID();
         return changed;

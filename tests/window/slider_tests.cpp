@@ -95,11 +95,10 @@ TEST_CASE_METHOD(BarePanel, "a double click on a bar types its number, and the v
             "the field", [](const Look& look) { return look.has("Width") && !look.has("Number: Width"); });
         CHECK(open.controls.at("Width").value == "1.5");
         CHECK(open.text("undo").empty());
-        screen.xdotool({"type", "--delay", "0", "0.875"});  // it takes the place of the number
-        wait_for_value("Width", "0.875");
+        screen.xdotool({"type", "--delay", "0", "0.875"});        // it takes the place of the number
+        CHECK(app.settle().controls.at("Width").value == "1.5");  // until the number is whole
         app.press("Return");
-        app.wait_until("the bar", [](const Look& look) { return look.has("Number: Width"); });
-        CHECK(value("Number: Width") == "0.88 m");
+        wait_for_value("Number: Width", "0.88 m");
         app.press("ctrl+z");
         wait_for_value("Width", "1.5");
         app.wait_until("nothing more to undo", [](const Look& look) { return look.text("undo").empty(); });
@@ -110,6 +109,21 @@ TEST_CASE_METHOD(BarePanel, "a double click on a bar types its number, and the v
     app.wait_until("the bar", [](const Look& look) { return look.has("Number: Width"); });
     CHECK(value("Width") == "1.5");
     CHECK(app.look().text("undo").empty());
+
+    // What was begun is left by Escape, and what is beyond the bar is told.
+    app.double_click(bar.at(0.3, 0.5));
+    app.wait_until("the field", [](const Look& look) { return !look.has("Number: Width"); });
+    type_keys({"9", "Escape"});
+    app.wait_until("the bar", [](const Look& look) { return look.has("Number: Width"); });
+    CHECK(value("Width") == "1.5");
+    CHECK(app.look().text("undo").empty());
+    app.double_click(bar.at(0.3, 0.5));
+    app.wait_until("the field", [](const Look& look) { return !look.has("Number: Width"); });
+    type_keys({"9", "9", "Return"});
+    app.wait_until("a message", [](const Look& look) {
+        return look.text("message") == "Width = 99 m: 0.1 m to 5 m is allowed, 5 m is taken.";
+    });
+    CHECK(value("Number: Width") == "5.00 m");
     app.check_healthy();
 }
 

@@ -178,7 +178,8 @@ TEST_CASE("the speed ladder is climbed by keys and buttons, and slow motion move
     CHECK(flight.app.settle().number("speed") == 4.0);
     flight.app.press("1");
     CHECK(flight.app.settle().number("speed") == 1.0);
-    flight.screen.xdotool({"key", "--delay", "0", "bracketleft", "KP_Divide", "bracketleft", "KP_Divide", "bracketleft",
+    // Not within a millisecond: GLFW takes a key that comes twice in one for a repetition of its event.
+    flight.screen.xdotool({"key", "--delay", "4", "bracketleft", "KP_Divide", "bracketleft", "KP_Divide", "bracketleft",
                            "KP_Divide", "bracketleft"});
     const Look slow =
         flight.app.wait_until("the lowest rung", [](const Look& look) { return look.number("speed") == 0.01; });
