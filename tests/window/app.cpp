@@ -187,8 +187,7 @@ void App::drag(Point from, Point to, Button button) {
 
 void App::wheel(Point p, int notches) {
     move_to(p);
-    screen_.xdotool(
-        {"click", "--repeat", std::to_string(std::abs(notches)), "--delay", "1", notches > 0 ? "4" : "5"});
+    screen_.xdotool({"click", "--repeat", std::to_string(std::abs(notches)), "--delay", "1", notches > 0 ? "4" : "5"});
     settle();
 }
 
