@@ -134,7 +134,8 @@ TEST_CASE("a name that nothing has is answered by the nearest that there is") {
     CHECK(has(message_from([] { find_scene("strom"); }), "did you mean storm?"));
     CHECK(has(message_from([] { find_picture("japn"); }), "japn: no such file or shipped image; did you mean japan?"));
     CHECK(has(message_from([] { find_picture("japn.png"); }), "did you mean japan.png?"));
-    CHECK(has(message_from([&] { find_texture("japn.png", home.path / "x.toml", "x.toml"); }), "did you mean japan.png?"));
+    CHECK(has(message_from([&] { find_texture("japn.png", home.path / "x.toml", "x.toml"); }),
+              "did you mean japan.png?"));
 }
 
 TEST_CASE("what the system cannot look at is told in the system's words") {
