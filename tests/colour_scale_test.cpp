@@ -144,6 +144,9 @@ TEST_CASE("a legend stands for each view that needs one, its numbers with units,
     CHECK(legends(app)[1].text() == "Force of a spring, |k (l - L)|: 0 N, 1.5 N, 3 N; fixed");
     CHECK(force_end(app) == 3.0);
     CHECK(stretch_end(app) == 0.004);
+    view.velocity_range = 8.0;
+    CHECK(legends(app)[2].text() == "Velocity of masses, as length: 0 m/s, 4 m/s, 8 m/s; fixed");
+    CHECK(speed_end(app) == 8.0);
 
     // What is not drawn needs no legend.
     view.cloth = false;

@@ -1,5 +1,6 @@
 // Films: when their frames are, what they pass into, what is refused, and what is written.
 #include "catch.hpp"
+#include "temporary_folder.hpp"
 
 #include "io/error.hpp"
 #include "viewer/batch_track.hpp"
@@ -18,7 +19,6 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -28,12 +28,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Removed with all it holds.
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("drapeau-film-" + std::to_string(std::random_device{}()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
-
+struct Folder : TemporaryFolder {
     long long files() const { return std::distance(fs::directory_iterator(path), {}); }
 };
 

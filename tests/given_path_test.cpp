@@ -1,5 +1,6 @@
 // Laws of paths as people give them: typed, pasted with quotes, dropped as an URL.
 #include "catch.hpp"
+#include "temporary_folder.hpp"
 
 #include "io/error.hpp"
 #include "io/given_path.hpp"
@@ -8,7 +9,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -18,20 +18,17 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A folder of its own that is the working directory and the home folder meanwhile.
-struct Home {
+struct Home : TemporaryFolder {
     fs::path before = fs::current_path();
     std::string home_before = std::getenv("HOME") ? std::getenv("HOME") : "";
-    fs::path path = fs::temp_directory_path() / ("drapeau-home-" + std::to_string(std::random_device{}()));
 
     Home() {
-        fs::create_directories(path);
         fs::current_path(path);
         setenv("HOME", path.c_str(), 1);
     }
     ~Home() {
         fs::current_path(before);
         setenv("HOME", home_before.c_str(), 1);
-        fs::remove_all(path);
     }
     void write(const std::string& name) const {
         fs::create_directories((path / name).parent_path());

@@ -1,5 +1,6 @@
 // Image files: what browsers show is read, and what cannot be read is named.
 #include "catch.hpp"
+#include "temporary_folder.hpp"
 
 #include "image_samples.hpp"
 #include "io/error.hpp"
@@ -163,12 +164,11 @@ TEST_CASE("a JPEG is turned as its EXIF orientation says, in both byte orders") 
 }
 
 TEST_CASE("a file is known by its content, not by its name") {
-    const std::filesystem::path file =
-        std::filesystem::temp_directory_path() / ("drapeau-" + std::to_string(std::random_device{}()) + ".jpg");
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder / "a.jpg";
     const FileBytes webp = sample("lossy.webp");
     std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(webp.data()), std::ssize(webp));
     const Image image = load_image(file);
-    std::filesystem::remove(file);
     CHECK(has_quarters(image, lossy));
 }
 

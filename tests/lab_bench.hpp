@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catch.hpp"
+#include "temporary_folder.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +11,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -35,11 +35,7 @@ struct Outcome {
 };
 
 /// A folder of its own in which the laboratory runs.
-struct Bench {
-    fs::path path = fs::temp_directory_path() / ("drapeau-lab-" + std::to_string(std::random_device{}()));
-    Bench() { fs::create_directories(path); }
-    ~Bench() { fs::remove_all(path); }
-
+struct Bench : TemporaryFolder {
     void write(const std::string& name, const std::string& text) const { std::ofstream(path / name) << text; }
 
     /// Under a sanitizer, beside other tests, a minute's work may take several.

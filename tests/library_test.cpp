@@ -1,5 +1,6 @@
 // Saved scenes open again, with their image, from anywhere.
 #include "catch.hpp"
+#include "temporary_folder.hpp"
 #include "io/error.hpp"
 #include "scene/file.hpp"
 #include "viewer/library.hpp"
@@ -9,18 +10,11 @@
 
 #include <filesystem>
 #include <fstream>
-#include <random>
 
 using namespace drapeau;
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("drapeau-library-" + std::to_string(std::random_device{}()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
-};
 
 fs::path picture(const fs::path& file) {
     fs::create_directories(file.parent_path());
@@ -35,7 +29,7 @@ Scene some_scene() {
 }  // namespace
 
 TEST_CASE("a scene saved anywhere opens with the image it had") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const std::string long_name(180, 'n');
     for (const fs::path& image :
          {picture(folder.path / "a.png"), picture(folder.path / "pictures" / "b.png"),
@@ -54,7 +48,7 @@ TEST_CASE("a scene saved anywhere opens with the image it had") {
 }
 
 TEST_CASE("scene and image moved together find each other") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const fs::path image = picture(folder.path / "here" / "pictures" / "a.png");
     const Saved saved = save_scene(some_scene(), (folder.path / "here" / "saved.toml").string(), image);
     fs::rename(folder.path / "here", folder.path / "there");
@@ -75,7 +69,7 @@ TEST_CASE("scene and image moved together find each other") {
 }
 
 TEST_CASE("an image path that a scene file cannot hold is left out and said, and the scene opens") {
-    const Folder folder;
+    const TemporaryFolder folder;
     for (const char* name : {"fran\xe7"
                              "ais.png",
                              "tab\there.png"}) {
@@ -93,7 +87,7 @@ TEST_CASE("an image path that a scene file cannot hold is left out and said, and
 }
 
 TEST_CASE("an image that is missing or broken is a message and a plain flag, never a refused scene") {
-    const Folder folder;
+    const TemporaryFolder folder;
     Scene scene = some_scene();
     scene.flag.texture = "missing.png";
     const Saved saved = save_scene(scene, (folder.path / "saved.toml").string());
@@ -109,7 +103,7 @@ TEST_CASE("an image that is missing or broken is a message and a plain flag, nev
 }
 
 TEST_CASE("a scene is saved without a question only where nothing is lost") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const auto question = [&](const fs::path& file, const std::vector<fs::path>& own = {}) {
         return question_before_saving(file, own, {}).value_or("");
     };
@@ -131,7 +125,7 @@ TEST_CASE("a scene is saved without a question only where nothing is lost") {
 }
 
 TEST_CASE("a scene is never saved over the image on its flag") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const fs::path image = picture(folder.path / "a.png"), link = folder.path / "b.toml";
     fs::create_symlink(image, link);
     for (const fs::path& name : {image, link})
@@ -147,7 +141,7 @@ TEST_CASE("a scene gets the path that was typed, with an ending") {
 }
 
 TEST_CASE("what would not open again to the same scene is not saved, and the file stays as it was") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const fs::path file = folder.path / "scene.toml";
     save_scene(some_scene(), file);
     Scene impossible = some_scene();

@@ -1,5 +1,6 @@
 // Loader: files chosen in the window are read beside it, the newest choice counts, and nothing waits for the others.
 #include "catch.hpp"
+#include "temporary_folder.hpp"
 
 #include "image/image.hpp"
 #include "viewer/loader.hpp"
@@ -8,7 +9,6 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <random>
 
 using namespace drapeau;
 namespace fs = std::filesystem;
@@ -18,11 +18,7 @@ namespace {
 
 constexpr auto promptly = 4s;  // hundredths of a second, and the rest for a busy machine
 
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("drapeau-loader-" + std::to_string(std::random_device{}()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
-
+struct Folder : TemporaryFolder {
     std::string picture(const std::string& name, int width = 2, int height = 1) const {
         Image image = blank_image(width, height);
         for (std::uint8_t& value : image.rgba) value = 255;

@@ -1,5 +1,6 @@
 // Output files: whole or as they were, whatever goes wrong.
 #include "catch.hpp"
+#include "temporary_folder.hpp"
 
 #include "image/image.hpp"
 #include "io/error.hpp"
@@ -30,14 +31,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder that everybody may enter, removed with all it holds.
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("drapeau-output-" + std::to_string(std::random_device{}()));
-    Folder() {
-        fs::create_directories(path);
-        fs::permissions(path, fs::perms::all);
-    }
-    ~Folder() { fs::remove_all(path); }
+/// A folder that everybody may enter.
+struct Folder : TemporaryFolder {
+    Folder() { fs::permissions(path, fs::perms::all); }
 
     std::string operator/(const std::string& name) const { return (path / name).string(); }
     std::vector<std::string> names() const {

@@ -1,5 +1,6 @@
 // Laws of scene files: what is written is read back, what is wrong is named in one line.
 #include "catch.hpp"
+#include "temporary_folder.hpp"
 
 #include "io/error.hpp"
 #include "io/text.hpp"
@@ -54,11 +55,7 @@ bool is_one_line(const std::string& text) {
     return !text.empty() && text.find_first_of("\n\r") == std::string::npos;
 }
 
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("drapeau-scenes-" + std::to_string(std::random_device{}()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
-
+struct Folder : TemporaryFolder {
     fs::path write(const std::string& name, const std::string& bytes) const {
         std::ofstream(path / name, std::ios::binary) << bytes;
         return path / name;
@@ -260,7 +257,8 @@ TEST_CASE("every key of the format is read") {
         velocities = true
         colours = "viridis"
         force_range = 2.5
-        stretch_range = 0.04)",
+        stretch_range = 0.04
+        velocity_range = 8)",
                                     "all.toml");
     Scene expected;
     expected.name = "All";
@@ -273,7 +271,7 @@ TEST_CASE("every key of the format is read") {
     expected.time = {method_id<ForwardEuler>, 0.001, Precision::double_precision};
     expected.view = {
         false, false, false, true, true, true, true, true, true, Background::studio, true, true, true, Colours::viridis,
-        2.5,   0.04,  true};
+        2.5,   0.04,  true,  8.0};
     CHECK(scene == expected);
 }
 

@@ -1,5 +1,6 @@
 // SceneWatch: a file that another program wrote is noticed once it is whole, however it was written.
 #include "catch.hpp"
+#include "temporary_folder.hpp"
 
 #include "viewer/scene_watch.hpp"
 
@@ -12,17 +13,15 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Watched {
-    fs::path folder = fs::temp_directory_path() / ("drapeau-watch-" + std::to_string(std::rand()));
+    TemporaryFolder folder;
     fs::path file = folder / "scene.toml";
     SceneWatch watch;
     double now = 0.0;  // s
 
     Watched() {
-        fs::create_directories(folder);
         write("one");
         watch.begin(file);
     }
-    ~Watched() { fs::remove_all(folder); }
     void write(const std::string& text) const { std::ofstream(file, std::ios::binary | std::ios::trunc) << text; }
     /// Looks so often.
     int changes(int looks) {

@@ -38,7 +38,30 @@ TEST_CASE("numbers stand with their unit and without long exponents, and are rea
     CHECK(typed_number(" 0.75") == 0.75);
     CHECK(typed_number("+1e-3") == 1e-3);
     CHECK(typed_number("2.") == 2.0);
-    for (const char* none : {"", "-", "e5", ".", "nan", "inf", "1e999"}) CHECK_FALSE(typed_number(none));
+    for (const char* none : {"", "-", "e5", ".", "nan", "inf", "1e999", "2 m", "2x"}) CHECK_FALSE(typed_number(none));
+}
+
+TEST_CASE("a number may be typed with its unit, in another prefix too, and not with another unit", "[slider]") {
+    CHECK(typed_number("150 cm", "m") == Approx(1.5));
+    CHECK(typed_number("1.5m", "m") == 1.5);
+    CHECK(typed_number("2 m", "mm") == 2000.0);
+    CHECK(typed_number("1e-1 m", "mm") == Approx(100.0));
+    CHECK(typed_number("20 \xc2\xb5s", "ms") == Approx(0.02));
+    CHECK(typed_number("20 us", "ms") == Approx(0.02));
+    CHECK(typed_number("3 kN/m", "N/m") == 3000.0);
+    CHECK(typed_number("5 mN s/m", "N\xc2\xb7s/m") == Approx(0.005));
+    CHECK(typed_number("0.1 kg/m\xc2\xb2", "g/m\xc2\xb2") == Approx(100.0));
+    CHECK(typed_number("50 g", "kg") == Approx(0.05));
+    CHECK(typed_number("981 cm/s\xc2\xb2", "m/s\xc2\xb2") == Approx(9.81));
+    CHECK(typed_number("40 %", "%") == 40.0);
+    const std::pair<const char*, const char*> others[] = {
+        {"2 ft", "m"},    {"2 min", "s"},    {"2 s", "m"}, {"2 m/s", "m"}, {"2 s", "m/s"},
+        {"2 /s", "m/s"},  {"2 N/cm", "N/m"}, {"2 m", ""},  {"2 k", "N"},   {"2 cm\xc2\xb2", "m\xc2\xb2"},
+        {"1e308 km", "m"}};
+    for (const auto& [text, unit] : others) {
+        CAPTURE(text, unit);
+        CHECK_FALSE(typed_number(text, unit));
+    }
 }
 
 TEST_CASE("two presses at one place are a double click if they may have been near in time", "[slider]") {

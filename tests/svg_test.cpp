@@ -1,5 +1,6 @@
 // SVG: drawn at a flag's size, from nothing but itself, within limits.
 #include "catch.hpp"
+#include "temporary_folder.hpp"
 
 #include "image/decoders.hpp"
 #include "image_samples.hpp"
@@ -8,7 +9,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <random>
 
 using namespace drapeau;
 using namespace drapeau::testing;
@@ -49,21 +49,18 @@ TEST_CASE("an SVG is drawn with its longest side at 2048 pixels, whatever size i
 }
 
 TEST_CASE("an SVG opens no other file") {
-    const auto folder =
-        std::filesystem::temp_directory_path() / ("drapeau-svg-" + std::to_string(std::random_device{}()));
-    std::filesystem::create_directories(folder);
+    const TemporaryFolder folder;
     Image paint = blank_image(2, 2);
     for (std::uint8_t& value : paint.rgba) value = 255;
     write_png(folder / "paint.png", paint);
     const auto before = std::filesystem::current_path();
-    std::filesystem::current_path(folder);
+    std::filesystem::current_path(folder.path);
     const std::string absolute = (folder / "paint.png").string();
     std::string images;
     for (const std::string& reference : {std::string("paint.png"), absolute, "file://" + absolute})
         images += "<image width=\"3\" height=\"2\" xlink:href=\"" + reference + "\"/>";
     const Image image = decode_image(svg(R"(viewBox="0 0 3 2")", images));
     std::filesystem::current_path(before);
-    std::filesystem::remove_all(folder);
     CHECK(is_like(image, image.width / 2, image.height / 2, {0, 0, 0, 0}, 0));
 }
 

@@ -1,5 +1,6 @@
 // User settings: what is remembered comes back as it was; a file that cannot be used is put aside, never written over.
 #include "catch.hpp"
+#include "temporary_folder.hpp"
 
 #include "io/error.hpp"
 #include "viewer/user_settings.hpp"
@@ -16,15 +17,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("drapeau-settings-" + std::to_string(std::rand()));
+struct Folder : TemporaryFolder {
     fs::path file = path / "drapeau" / "settings.toml";
 
-    Folder() {
-        fs::remove_all(path);
-        fs::create_directories(file.parent_path());
-    }
-    ~Folder() { fs::remove_all(path); }
+    Folder() { fs::create_directories(file.parent_path()); }
 };
 
 void write(const fs::path& file, const std::string& text) {

@@ -320,6 +320,10 @@ inline constexpr std::tuple view_keys{
               "A larger one shows strong stretch apart, a smaller one weak stretch. auto: a round number that follows "
               "the stretch."},
         Range{1e-6, 10}, Control{{0.01, 100}, true, "%.3g", 100, "%", 0.05}, "auto"},
+    Key{"velocity_range", &ViewSettings::velocity_range,
+        About{"Velocity range", "m/s", "of a line as long as the scale below the flag",
+              "A larger one makes lines shorter. auto: a round number that follows the velocities."},
+        Range{1e-6, 1e6}, Control{{0.01, 100}, true, "%.3g", 1, "", 5.0}, "auto"},
     Key{"bare_grid", &ViewSettings::bare_grid,
         About{"Bare grid", "", "flat facets between the masses, as they are simulated",
               "Off: a smooth surface through all masses, which shows folds as cloth has them. Neither changes the "

@@ -96,6 +96,12 @@ void set_style(float scale) {
     style.ScaleAllSizes(scale);
 }
 
+/// The wheel stays with the window it turned as long as it turns on: not with one that is gone.
+void free_wheel() {
+    ImGuiWindow*& turned = ImGui::GetCurrentContext()->WheelingWindow;
+    if (turned && !turned->Active) turned = nullptr;
+}
+
 }  // namespace
 
 Gui::Gui(GLFWwindow* window, float scale, float pixels_per_unit) : window_(window) {
@@ -130,8 +136,8 @@ void Gui::begin(const GuiFrame& frame, const std::vector<InputEvent>& events, bo
     io.DisplaySize = {frame.size.x, frame.size.y};
     io.DisplayFramebufferScale = {frame.pixels_per_unit, frame.pixels_per_unit};
     if (frame.seconds > 0.0f) io.DeltaTime = frame.seconds;
-    keys_.feed(events, keeps_keys);
-    ImGui::NewFrame();
+    free_wheel();
+    keys_.new_frame(events, keeps_keys);
 }
 
 void Gui::end() {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <vector>
 
 namespace drapeau {
 
@@ -32,6 +33,11 @@ bool is_of_keyboard(const InputEvent& event) {
 
 // A frame takes characters and then one key: ImGui types first and knows no order among keys. What is pressed stays
 // down for a frame, and the modifiers with it; what is let go stays up for one.
+void KeyFeed::new_frame(const std::vector<InputEvent>& events, bool keeps) {
+    feed(events, keeps);
+    ImGui::NewFrame();
+}
+
 void KeyFeed::feed(const std::vector<InputEvent>& events, bool keeps) {
     std::copy_if(events.begin(), events.end(), std::back_inserter(waiting_), is_of_keyboard);
     ImGuiIO& io = ImGui::GetIO();
@@ -75,27 +81,24 @@ bool KeyFeed::has_waiting() const {
 
 #else
 
-// Keys go their way, for ImGui compares each with the one before; only what was typed can be kept.
-void KeyFeed::feed(const std::vector<InputEvent>&, bool keeps) {
-    if (!keeps && waiting_.empty()) return;
+// Back in the queue after the frame, keys keep their order, and ImGui compares the next one with them.
+void KeyFeed::new_frame(const std::vector<InputEvent>&, bool keeps) {
     auto& queue = ImGui::GetCurrentContext()->InputEventsQueue;
-    for (int i = 0; i < queue.Size;) {
-        if (queue[i].Type != ImGuiInputEventType_Text) {
-            ++i;
-            continue;
-        }
-        InputEvent& typed = waiting_.emplace_back();
-        typed.kind = InputEvent::Kind::character;
-        typed.typed = queue[i].Text.Char;
-        queue.erase(&queue[i]);
+    const auto is_of_mouse = [](const ImGuiInputEvent& event) {
+        return event.Type != ImGuiInputEventType_Key && event.Type != ImGuiInputEventType_Text;
+    };
+    std::vector<ImGuiInputEvent> kept;
+    if (keeps) {
+        const auto keys = std::stable_partition(queue.begin(), queue.end(), is_of_mouse);
+        kept.assign(keys, queue.end());
+        queue.resize(int(keys - queue.begin()));
     }
-    if (keeps) return;
-    for (const InputEvent& event : waiting_) ImGui::GetIO().AddInputCharacter(event.typed);
-    waiting_.clear();
+    ImGui::NewFrame();
+    for (const ImGuiInputEvent& event : kept) queue.push_back(event);
 }
 
 bool KeyFeed::has_waiting() const {
-    return !waiting_.empty() || !ImGui::GetCurrentContext()->InputEventsQueue.empty();
+    return !ImGui::GetCurrentContext()->InputEventsQueue.empty();
 }
 
 #endif

@@ -37,6 +37,10 @@ double stretch_end(const AppState& app) {
     return app.scene.view.stretch_range.value_or(app.status.stretch_scale);
 }
 
+double speed_end(const AppState& app) {
+    return app.scene.view.velocity_range.value_or(app.status.speed_scale);
+}
+
 std::vector<Legend> legends(const AppState& app) {
     const ViewSettings& view = app.scene.view;
     std::vector<Legend> shown;
@@ -57,10 +61,11 @@ std::vector<Legend> legends(const AppState& app) {
                          .colours = &force_colours(view.colours)});
     }
     if (view.velocities) {
-        const double end = app.status.speed_scale;
+        const double end = speed_end(app);
         shown.push_back({.title = "Velocity of masses, as length",
                          .short_title = "Velocity",
-                         .labels = {"0 m/s", speed(end / 2.0), speed(end)}});
+                         .labels = {"0 m/s", speed(end / 2.0), speed(end)},
+                         .fixed = view.velocity_range.has_value()});
     }
     return shown;
 }

@@ -28,5 +28,6 @@ std::vector<Legend> legends(const AppState& app);
 
 double force_end(const AppState& app);    // N
 double stretch_end(const AppState& app);  // share
+double speed_end(const AppState& app);    // m/s
 
 }  // namespace drapeau

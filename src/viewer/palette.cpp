@@ -56,8 +56,9 @@ int word_score(std::string_view name, std::string_view word) {
 
 /// The page with the controls of a table; -1: they are above the pages.
 int page_of(std::string_view table, std::string_view key) {
-    constexpr std::string_view on_view_page[] = {"background",  "wind",          "stretch",   "velocities", "colours",
-                                                 "force_range", "stretch_range", "bare_grid", "person"};
+    constexpr std::string_view on_view_page[] = {"background", "wind",        "stretch",       "velocities",
+                                                 "colours",    "force_range", "stretch_range", "velocity_range",
+                                                 "bare_grid",  "person"};
     if (table == "view" && std::count(std::begin(on_view_page), std::end(on_view_page), key)) return 5;
     if (table == "view") return key == "texture_proportions" ? 0 : -1;
     return table == "flag" ? 0 : table == "wind" ? 2 : table == "time" ? 3 : 1;

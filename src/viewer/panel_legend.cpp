@@ -1,4 +1,4 @@
-// The legends below the flag: a bar of colours, or a wedge for lengths, with its numbers; beside each other.
+// The legends below the flag, at the right: a bar of colours, or a wedge for lengths, with its numbers; beside each other.
 #include "panels.hpp"
 
 #include "legend.hpp"
@@ -72,7 +72,7 @@ void draw_legends(const AppState& app, UiMap& map) {
     const float room = (view.width() - 24.0f * scale) / count - 2.0f * margin;
     const float width = std::min(300.0f * scale, room), box = width + 2.0f * margin;
     const float line = ImGui::GetTextLineHeight(), top = view.y1 - 46.0f * scale;
-    float left = (view.x0 + view.x1 - count * box) / 2.0f + margin;
+    float left = view.x1 - 10.0f * scale - count * box + margin;  // at the right: the pole's foot stands at the left
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     list->AddRectFilled({left - margin, top - line - 14.0f * scale},
                         {left - margin + count * box, view.y1 - 10.0f * scale}, back, 8.0f * scale);

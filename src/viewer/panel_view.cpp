@@ -25,6 +25,7 @@ void draw_view_page(AppState& app, Widgets& widgets) {
     };
     edit_range(&ViewSettings::force_range, app.status.force_scale);
     edit_range(&ViewSettings::stretch_range, app.status.stretch_scale);
+    edit_range(&ViewSettings::velocity_range, app.status.speed_scale);
     edit_view(&ViewSettings::bare_grid);
     edit_view(&ViewSettings::person);
 }

@@ -108,8 +108,8 @@ void Readout::remember(double time) {
 std::string Readout::title() const {
     if (!chosen_) return "";
     const auto [column, row, right, down] = *chosen_;
-    if (!chosen_->is_spring()) return fmt::format("Mass: column {}, row {}", column + 1, row + 1);
-    return fmt::format("Spring: {}, {} to {}, {}", column + 1, row + 1, column + right + 1, row + down + 1);
+    if (!chosen_->is_spring()) return fmt::format("Mass: column {}, row {}", column, row);
+    return fmt::format("Spring: {}, {} to {}, {}", column, row, column + right, row + down);
 }
 
 }  // namespace drapeau

@@ -36,7 +36,8 @@ public:
     const glm::dvec3& place() const { return place_; }  // m, of the mass, or of the spring's middle
     /// What is read, the same ones for every mass and for every spring.
     const std::vector<Quantity>& quantities() const { return quantities_; }
-    /// "Mass 12, 5", "Spring 12, 5 to 13, 5": columns and rows are counted from 1 at the upper corner of the hoist.
+    /// "Mass 12, 5", "Spring 12, 5 to 13, 5": columns and rows are counted from 0 at the upper
+    /// corner of the hoist, as in files of states.
     std::string title() const;
 
     struct Sample {

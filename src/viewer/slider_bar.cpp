@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 
 namespace drapeau {
 
@@ -70,15 +69,14 @@ std::string in_digits(double value) {
     return text;
 }
 
-/// Takes Tab, and of characters those that numbers have; a decimal comma is a point.
+/// Takes Tab; a decimal comma is a point.
 int on_typing(ImGuiInputTextCallbackData* data) {
     if (data->EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
         static_cast<BarMemory::Typing*>(data->UserData)->goes_on = true;
         return 0;
     }
     if (data->EventChar == ',') data->EventChar = '.';
-    const bool is_of_number = data->EventChar < 128 && std::strchr("0123456789.+-eE", int(data->EventChar));
-    return is_of_number ? 0 : 1;
+    return 0;
 }
 
 }  // namespace
@@ -193,9 +191,10 @@ bool edit_number(double& value, const SliderScale& scale, float width, BarMemory
     if (ends) {
         if (typing.active) ImGui::ClearActiveID();
         // Escape brings the first text back.
-        if (const auto number = typed_number(typing.text); number && typing.text != typing.first_text) {
-            value = std::clamp(*number, scale.low, scale.high);
-            if (value != *number) memory.out_of_range = *number;
+        if (!typing.text.empty() && typing.text != typing.first_text) {
+            const auto number = typed_number(typing.text, unit);
+            if (number) value = std::clamp(*number, scale.low, scale.high);
+            if (value != number) memory.not_taken = {typing.text, number};
         }
         const bool goes_on = typing.goes_on;
         typing = {};

@@ -32,9 +32,15 @@ struct BarMemory {
         bool seen = false;     // in this frame
         bool goes_on = false;  // with the next bar: Tab was pressed
     };
+    /// What was typed and is not the value now.
+    struct NotTaken {
+        std::string text;
+        std::optional<double>
+            number;  // beyond the bar's ends; none: the text is no number, or in no unit like the bar's
+    };
     Click click;
     Typing typing;
-    std::optional<double> out_of_range;      // a number that was typed and not taken as it was
+    std::optional<NotTaken> not_taken;
     std::optional<glm::vec2> pressed_twice;  // where, in this frame
 
     /// Whether keys belong to a field that does not have the keyboard yet.

@@ -28,7 +28,8 @@ std::string number_text(double value, const std::string& format);
 /// The unit that follows the number: "N/m"; empty if there is none.
 std::string unit_of(const std::string& format);
 
-/// The number that was typed, or the part of it that is one; nothing where it begins with none.
-std::optional<double> typed_number(std::string_view text);
+/// The number that was typed, in `unit`: "150 cm" is 1.5 in m. The text may leave the unit out or have another prefix
+/// of it (n, µ, m, c, k, M or G); nothing where it is no finite number, or in another unit.
+std::optional<double> typed_number(std::string_view text, std::string_view unit = "");
 
 }  // namespace drapeau

@@ -35,6 +35,17 @@
 
 namespace drapeau {
 
+/// A scene that takes the place of the one that flies, which goes on: pasted, or saved by another program.
+struct OtherScene {
+    Scene scene;                    // with the view as it is to be looked at
+    std::optional<Scene> origin{};  // as the file has it; none of a text
+    std::string place;              // what names its image, before a message: "storm.toml:7"
+    std::string news;               // once it is taken
+    bool other_image = false;       // than the one that is worn: this one, or none
+    std::filesystem::path image_file{};
+    std::optional<Image> image{};
+};
+
 /// What the command line says of the view.
 void preset_view(const Options& options, ViewSettings& view);
 
@@ -114,10 +125,11 @@ private:
     void note_changes();  // of settings
     History::Entry entry_now() const;
     void undo_wanted();
-    void restore_image(const std::filesystem::path& file, const std::string& asked_by = "");
+    void restore_image(const std::filesystem::path& file);
     std::vector<InputEvent> wait_for_events();  // or for a scene file that is saved elsewhere
     void reload_wanted();
-    void set_scene(Scene scene, const std::string& place);
+    void set_scene(OtherScene other);
+    void take_scene(OtherScene other);
     void clipboard_wanted();
 
     Options options_;
@@ -170,7 +182,7 @@ private:
     bool file_changed_ = false;
     std::filesystem::path first_file_;      // the scene's that the command line speaks of
     std::filesystem::path restored_image_;  // that is being loaded for settings that name it already
-    std::string restored_by_;               // what names it, before a message: "storm.toml:7: "
+    std::optional<OtherScene> other_;       // that is taken once its image is loaded
     std::filesystem::path settings_file_;   // empty: nothing is remembered
     UserSettings kept_settings_;            // as they are in the file
     double saved_settings_at_ = 0.0;        // s of wall-clock

@@ -17,6 +17,7 @@ void Viewer::load_wanted() {
     ask_before_loading();
     const Commands& commands = app_.commands;
     if (commands.load_texture) restored_image_.clear();
+    if (commands.load_texture || commands.load_scene) other_.reset();
     if (commands.load_texture && meant_path(*commands.load_texture).empty()) {
         loader_.forget_image();
         wear({}, std::nullopt);
@@ -46,18 +47,21 @@ void Viewer::ask_before_loading() {
 
 // Files that cannot be used leave everything as it was, with a message.
 void Viewer::use(Loaded loaded) {
-    if (!loaded.fault.empty()) {
-        const bool restored = !loaded.is_scene && !restored_image_.empty();
-        if (!loaded.is_scene) restored_image_.clear();
-        say(app_, loaded.is_scene ? Message::Cause::scene : Message::Cause::image,
-            (restored ? restored_by_ : "") + loaded.fault, true);
+    auto other = loaded.is_scene ? std::nullopt : std::exchange(other_, std::nullopt);
+    const bool restored = !std::exchange(restored_image_, std::filesystem::path()).empty();
+    if (!loaded.fault.empty() && other) {
+        say(app_, Message::Cause::scene, other->place + ": " + loaded.fault, true);
+    } else if (!loaded.fault.empty()) {
+        say(app_, loaded.is_scene ? Message::Cause::scene : Message::Cause::image, loaded.fault, true);
     } else if (loaded.is_scene) {
-        restored_image_.clear();
         opening_ = std::move(loaded.scene);
         simulation_.restart(opening_->scene, ++revision_);
-    } else if (!restored_image_.empty()) {
+    } else if (other) {
+        other->image_file = std::move(loaded.file);
+        other->image = std::move(loaded.image);
+        take_scene(std::move(*other));
+    } else if (restored) {
         set_image(loaded.file, std::move(loaded.image));
-        restored_image_.clear();
     } else {
         wear(loaded.file, std::move(loaded.image));
         app_.scene.view.texture = true;

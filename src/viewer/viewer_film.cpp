@@ -53,7 +53,8 @@ Picture Filming::picture(const FilmFrame& frame) {
     shown.streaks.clear();  // they drift with the window's moments
     if (settings.velocities) {
         speed_scale.follow(frame.snapshot.velocity);
-        shown.velocities = velocities_of(frame.snapshot, scene.flag, speed_scale.end());
+        shown.velocities =
+            velocities_of(frame.snapshot, scene.flag, settings.velocity_range.value_or(speed_scale.end()));
     }
     shown.hidden = glm::ivec4(0);
     shown.pixel_scale = std::max(1.0f, whole.y1 / line_height);

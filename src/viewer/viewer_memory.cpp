@@ -128,10 +128,10 @@ void Viewer::undo_wanted() {
 }
 
 /// The image that the scene's settings go with, which they name already.
-void Viewer::restore_image(const fs::path& file, const std::string& asked_by) {
+void Viewer::restore_image(const fs::path& file) {
     if (file == entry_now().image) return;
+    other_.reset();
     restored_image_ = file;
-    restored_by_ = asked_by;
     if (!file.empty()) return loader_.load_image(file.string());
     loader_.forget_image();
     set_image({}, std::nullopt);
@@ -158,34 +158,47 @@ void Viewer::reload_wanted() {
         Scene read = read_scene(watch_.file(), first ? assignments_of(options_) : std::vector<Assignment>{});
         if (first) preset_view(options_, read.view);
         if (first && gives_image(options_)) read.flag.texture = app_.origin.flag.texture;
-        const bool edited = physics_of(app_.scene) != physics_of(app_.origin);
         Scene scene = read;
         if (read.view == app_.origin.view) scene.view = app_.scene.view;  // as it is looked at
-        const bool differs = scene != app_.scene;
-        if (differs) set_scene(std::move(scene), place_of_texture(watch_.file()));
-        app_.origin = read;
-        close_if(app_.message, Message::Cause::scene);
-        if (!differs) return;
-        const std::string text = watch_.file().filename().string() + " was saved: it is read again.";
-        if (app_.message.cause != Message::Cause::image || app_.message.text.empty())
-            say(app_, Message::Cause::scene, edited ? with_undo(text) : text, false);
+        set_scene({.scene = std::move(scene),
+                   .origin = std::move(read),
+                   .place = place_of_texture(watch_.file()),
+                   .news = watch_.file().filename().string() + " was saved: it is read again."});
     } catch (const InputError& wrong) {
         say(app_, Message::Cause::scene, wrong.what(), true);
     }
 }
 
-/// The scene in place of the one that flies, which goes on where it is unless it is to start in another way. Throws
-/// InputError, beginning with `place`, and changes nothing where its image is not found.
-void Viewer::set_scene(Scene scene, const std::string& place) {
-    const std::string texture = scene.flag.texture;
-    const bool same_image = texture == app_.scene.flag.texture;
-    const fs::path image = same_image || texture.empty() ? fs::path() : find_texture(texture, app_.scene_file, place);
-    note_changes();
-    if (!starts_alike(scene.flag, app_.scene.flag)) app_.commands.restart = true;
-    app_.scene = std::move(scene);
-    app_.diagonals.reset();
-    window_.set_title("drapeau \xe2\x80\x93 " + printable(app_.scene.name));
-    if (!same_image) restore_image(image, place + ": ");
+/// Takes it once its image is there. Throws InputError, beginning with its place, and changes nothing where that is not
+/// found.
+void Viewer::set_scene(OtherScene other) {
+    if (std::exchange(other_, std::nullopt)) loader_.forget_image();
+    const std::string& texture = other.scene.flag.texture;
+    if (texture != app_.scene.flag.texture) {
+        const fs::path image = texture.empty() ? fs::path() : find_texture(texture, app_.scene_file, other.place);
+        other.other_image = image != entry_now().image;
+        other.image_file = image;
+    }
+    if (other.other_image) restored_image_.clear();
+    if (!other.other_image || texture.empty()) return take_scene(std::move(other));
+    other_ = std::move(other);
+    loader_.load_image(other_->image_file.string());
+}
+
+void Viewer::take_scene(OtherScene other) {
+    const bool differs = other.scene != app_.scene, pasted = !other.origin;
+    const bool loses = pasted || physics_of(app_.scene) != physics_of(app_.origin);
+    close_if(app_.message, Message::Cause::scene);
+    if (differs) {
+        note_changes();
+        if (!starts_alike(other.scene.flag, app_.scene.flag)) app_.commands.restart = true;
+        app_.scene = std::move(other.scene);
+        app_.diagonals.reset();
+        window_.set_title("drapeau \xe2\x80\x93 " + printable(app_.scene.name));
+    }
+    if (other.other_image) set_image(other.image_file, std::move(other.image));
+    if (!pasted) app_.origin = std::move(*other.origin);
+    if (differs || pasted) say(app_, Message::Cause::scene, loses ? with_undo(other.news) : other.news, false);
 }
 
 void Viewer::clipboard_wanted() {
@@ -199,10 +212,8 @@ void Viewer::clipboard_wanted() {
     try {
         const char* text = ImGui::GetClipboardText();
         Scene scene = parse_scene(text ? text : "", "pasted text");
-        const std::string name = scene.name;
-        set_scene(std::move(scene), "pasted text");
-        if (app_.message.cause != Message::Cause::image || app_.message.text.empty())
-            say(app_, Message::Cause::scene, with_undo("Pasted: " + name + "."), false);
+        const std::string news = "Pasted: " + scene.name + ".";
+        set_scene({.scene = std::move(scene), .place = "pasted text", .news = news});
     } catch (const InputError& wrong) {
         say(app_, Message::Cause::scene, wrong.what(), true);
     }

@@ -63,6 +63,7 @@ Picture Viewer::picture() const {
     const ViewSettings& view = app_.scene.view;
     const FlagSettings& flag = moment_.scene.flag;
     const float pixel_scale = float(target_.height()) / std::max(1.0f, size().y);
+    const std::vector<Streak> none;
     return {.view = camera_.view_matrix(framing_, app_.view_area),
             .projection = camera_.projection(framing_, app_.view_area, size()),
             .eye = camera_.eye(framing_, app_.view_area),
@@ -81,9 +82,8 @@ Picture Viewer::picture() const {
             .colours = view.colours,
             .stretch = view.stretch,
             .stretch_scale = float(stretch_end(app_)),
-            .streaks = view.wind && app_.scene.wind() ? app_.streaks.streaks() : std::vector<Streak>{},
-            .velocities = view.velocities ? velocities_of(moment_.snapshot, flag, app_.status.speed_scale)
-                                          : std::vector<Streak>{},
+            .streaks = view.wind && app_.scene.wind() ? app_.streaks.streaks() : none,
+            .velocities = view.velocities ? velocities_of(moment_.snapshot, flag, speed_end(app_)) : none,
             .hidden = pixels_under(app_.panel_area, pixel_scale, target_.height()),
             .pixel_scale = pixel_scale,
             .stage = stage_of(moment_.scene, view.person),

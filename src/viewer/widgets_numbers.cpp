@@ -33,6 +33,15 @@ std::string in_full(double value, const SliderScale& scale) {
     return digits(value) + (unit.empty() ? "" : " ") + unit;
 }
 
+std::string why_not_taken(const char* label, const BarMemory::NotTaken& typed, double value, const SliderScale& scale) {
+    if (typed.number)
+        return fmt::format("{} = {}: {} to {} is allowed, {} is taken.", label, in_full(*typed.number, scale),
+                           in_full(scale.low, scale), in_full(scale.high, scale), in_full(value, scale));
+    const std::string unit = unit_of(scale.format);
+    return fmt::format("{} = {}: no number{}; it stays {}.", label, typed.text, unit.empty() ? "" : " of " + unit,
+                       in_full(value, scale));
+}
+
 }  // namespace
 
 bool Widgets::bar(const char* label, double& shown, const SliderScale& scale, float width, const char* tip_text,
@@ -45,9 +54,8 @@ bool Widgets::bar(const char* label, double& shown, const SliderScale& scale, fl
     bool changed = false;
     if (is_typed(id, {width, ImGui::GetFrameHeight()}, shown, bars)) {
         changed = edit_number(shown, scale, width, bars);
-        if (const auto typed = std::exchange(bars.out_of_range, std::nullopt))
-            correction_ = fmt::format("{} = {}: {} to {} is allowed, {} is taken.", label, in_full(*typed, scale),
-                                      in_full(scale.low, scale), in_full(scale.high, scale), in_full(shown, scale));
+        if (const auto typed = std::exchange(bars.not_taken, std::nullopt))
+            correction_ = why_not_taken(label, *typed, shown, scale);
         note_bar();
         ImGui::PopID();
         return changed;

@@ -70,10 +70,10 @@ std::string program() {
 
 Surroundings at_home_in(const TemporaryFolder& home, const Surroundings& surroundings) {
     Surroundings with_home = surroundings;
-    with_home.variables["HOME"] = home.path().string();
+    with_home.variables["HOME"] = home.path.string();
     with_home.variables["XDG_CONFIG_HOME"] = (home / "config").string();
     with_home.variables["XDG_CACHE_HOME"] = (home / "cache").string();
-    with_home.folder = home.path();
+    with_home.folder = home.path;
     return with_home;
 }
 
@@ -83,7 +83,7 @@ App::App(const Screen& screen, const std::vector<std::string>& arguments, const 
     surroundings.variables["DRAPEAU_UI_MAP"] = (folder_ / "ui-map").string();
     std::vector<std::string> command{program()};
     command.insert(command.end(), arguments.begin(), arguments.end());
-    process_ = std::make_unique<Process>(command, surroundings, folder_.path());
+    process_ = std::make_unique<Process>(command, surroundings, folder_.path);
 
     wait_until("first frames", [](const Look& look) { return look.number("frame") >= 2; });
     std::istringstream found(

@@ -215,6 +215,15 @@ TEST_CASE("velocities are lines as long as the flag is fast, at the moment that 
     CHECK(app.look().text("legend").find("m/s; automatic") != std::string::npos);
     const int now = count(app.picture(), scene, is_yellow);
     CHECK(now > 300);
+    // Fixed at ten times the speed, lines are at most a tenth as long.
+    app.click("Page: View");
+    app.show("Velocity range on");
+    app.set("Velocity range on", true);
+    app.wait_until("its number", [](const Look& look) { return look.has("Velocity range"); });
+    app.type_number("Velocity range", "50");
+    CHECK(app.settle().text("legend").find("0 m/s, 25 m/s, 50 m/s; fixed") != std::string::npos);
+    CHECK(count(app.picture(), scene, is_yellow) < 0.5 * now);
+    app.set("Velocity range on", false);
     // A kept moment shows its own: near the start all but none.
     app.press("Prior");
     const Look early = app.wait_until("an early moment", [](const Look& look) { return !look.text("shown").empty(); });

@@ -80,7 +80,7 @@ TEST_CASE("a bad command line gives one line that names what is wrong, and statu
         {{"no-such-scene"}, "no-such-scene"},
         {{written(folder, "broken.toml", "[flag]\ncolumns = \"many\"\n")}, "columns"},
         {{written(folder, "empty.toml", "")}, "empty.toml"},
-        {{folder.path().string()}, folder.path().string()},
+        {{folder.path.string()}, folder.path.string()},
         {{"--size", "enormous", "--frames", "1", "--screenshot", folder / "a.png"}, "size"},
         {{"--size", "0x0", "--frames", "1", "--screenshot", folder / "a.png"}, "size"},
         {{"--frames", "-1", "--screenshot", folder / "a.png"}, "frames"},
@@ -160,11 +160,11 @@ TEST_CASE("a film that cannot be made leaves the file of that name as it was, an
     const std::string stand_in = written(folder, "ffmpeg", "#!/bin/sh\necho no such codec >&2\nexit 1\n");
     std::filesystem::permissions(stand_in, std::filesystem::perms::owner_all);
     Surroundings surroundings = screen.surroundings();
-    surroundings.variables["PATH"] = folder.path().string() + ":/usr/bin:/bin";
+    surroundings.variables["PATH"] = folder.path.string() + ":/usr/bin:/bin";
     const Finished answer = drapeau_run({"report", "--frames", "3", "--size", "320x240", "--film", file}, surroundings);
     check_refused(answer, "film.mp4: ffmpeg could not make it: no such codec");
     CHECK(read_text(file) == "what was here");
-    CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 2);
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 2);
 }
 
 TEST_CASE("a setting given on the command line is the scene's") {
@@ -243,7 +243,7 @@ TEST_CASE("a film's ending is one of those known, in capitals or not, and a pict
     refused("--film", "a", "a: .mp4, .mov, .mkv, .webm or .gif is allowed");
     for (const std::string name : {"a.jpg", "a.JPEG", "a.bmp", "a.mp4"})
         refused("--screenshot", name, name + ": .png is allowed");
-    CHECK(std::filesystem::is_empty(folder.path()));
+    CHECK(std::filesystem::is_empty(folder.path));
 
     const Screen screen;
     for (const std::string name : {"A.MP4", "A.WebM", "A.GIF", "a.mkv", "a.mov"}) {
@@ -350,7 +350,7 @@ TEST_CASE("a file whose name begins with a dash can be given, and the message sa
     written(folder, "-dash.toml", still_scene);
     const auto run_there = [&](std::vector<std::string> arguments) {
         Surroundings surroundings = screen.surroundings();
-        surroundings.folder = folder.path();
+        surroundings.folder = folder.path;
         arguments.insert(arguments.begin(), program());
         return run(arguments, surroundings);
     };
@@ -393,7 +393,7 @@ TEST_CASE("a picture larger than can be drawn is refused before anything is buil
     if (answer.status == 0) return;
     check_refused(answer, "16384x16384");
     CHECK(passed < Seconds(5.0));  // a window is opened within a second or two
-    CHECK(std::filesystem::is_empty(folder.path()));
+    CHECK(std::filesystem::is_empty(folder.path));
 }
 
 TEST_CASE("a frame is drawn however the flag is folded") {

@@ -87,7 +87,7 @@ TEST_CASE_METHOD(StillFlag,
 
     app.click(app.settle().box("flag").at(0.35, 0.52));
     const Look mass = app.wait_until("a readout", [](const Look& look) { return look.has("Read: Speed"); });
-    CHECK(mass.text("readout") == "Mass: column 2, row 2");
+    CHECK(mass.text("readout") == "Mass: column 1, row 1");
     CHECK(mass.controls.at("Read: Speed").value == "0.00 m/s");
     CHECK(mass.controls.at("Read: Springs' pull").value == "0.000 N");
     CHECK(mass.controls.at("Read: Upwards, y").value == "-0.500 m");
@@ -97,7 +97,7 @@ TEST_CASE_METHOD(StillFlag,
     app.press("s");
     app.click(app.settle().box("flag").at(0.5, 0.49));
     const Look spring = app.wait_until("a readout", [](const Look& look) { return look.has("Read: Length"); });
-    CHECK(spring.text("readout") == "Spring: 2, 2 to 3, 2");
+    CHECK(spring.text("readout") == "Spring: 1, 1 to 2, 1");
     CHECK(spring.controls.at("Read: Length").value == "500.00 mm");
     CHECK(spring.controls.at("Read: Stretch").value.find('%') != std::string::npos);
     CHECK(spring.controls.at("Read: Force").value.find('N') != std::string::npos);

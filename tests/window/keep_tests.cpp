@@ -115,7 +115,7 @@ TEST_CASE("a film has the frames, the size, the rate and the pixels that were as
         CHECK(told["pix_fmt"].starts_with(film.pixels));
         if (film.name == "a.webm") CHECK(told["TAG:alpha_mode"] == "1");
     }
-    CHECK(files_in(folder.path()) == 4);
+    CHECK(files_in(folder.path) == 4);
 }
 
 TEST_CASE("a film's frame is the picture that the window draws at its time") {
@@ -124,7 +124,7 @@ TEST_CASE("a film's frame is the picture that the window draws at its time") {
     REQUIRE(drapeau_run({"report", "--record", folder / "p-%02d.png", "--seconds", "0.2", "--size", "161x101"},
                         screen.surroundings())
                 .status == 0);
-    CHECK(files_in(folder.path()) == 12);
+    CHECK(files_in(folder.path) == 12);
     REQUIRE(drapeau_run(
                 {"report", "--frames", "11", "--hide-ui", "--size", "161x101", "--screenshot", folder / "window.png"},
                 screen.surroundings())
@@ -164,25 +164,25 @@ TEST_CASE("a film that is stopped or cannot be written leaves no file, and one l
     for (const std::string name : {"a.mp4", "p-%d.png"}) {
         CAPTURE(name);
         Process process(command({"report", "--record", folder / name, "--seconds", "1000", "--size", "160x100"}),
-                        screen.surroundings(), logs.path());
-        while (process.running() && !has_begun(folder.path()))
+                        screen.surroundings(), logs.path);
+        while (process.running() && !has_begun(folder.path))
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         process.stop();
         CHECK(process.wait() == 128 + 15);
         CHECK(has(process.errors(), "stopped; nothing is left of "));
-        CHECK(files_in(folder.path()) == 0);
+        CHECK(files_in(folder.path) == 0);
     }
     // A disk that takes two kilobytes, with and without a signal that says so.
     for (const std::string before : {"trap '' XFSZ; ulimit -f 4; ", "ulimit -f 4; "}) {
         const std::string words = "exec '" + program() + "' report --size 320x200 --seconds 0.5 --record '" +
                                   (folder / "a.mp4").string() + "'";
         check_refused(run({"sh", "-c", before + words}, screen.surroundings()), "a.mp4: ffmpeg could not make it");
-        CHECK(files_in(folder.path()) == 0);
+        CHECK(files_in(folder.path) == 0);
     }
     Surroundings bare = screen.surroundings();
-    bare.variables["PATH"] = folder.path().string();
+    bare.variables["PATH"] = folder.path.string();
     check_refused(drapeau_run({"report", "--record", folder / "a.mp4"}, bare), "--record needs ffmpeg");
-    CHECK(files_in(folder.path()) == 0);
+    CHECK(files_in(folder.path) == 0);
 }
 
 TEST_CASE("a film that cannot be made is refused before there is any work") {
@@ -206,7 +206,7 @@ TEST_CASE("a film that cannot be made is refused before there is any work") {
     }
     check_refused(drapeau_run({"report", "--record", folder / "none/a.mp4"}, without_display()), "none/a.mp4");
     check_refused(drapeau_run({"report", "--seconds", "3"}, without_display()), "for --record or --obj");
-    CHECK(files_in(folder.path()) == 0);
+    CHECK(files_in(folder.path) == 0);
 }
 
 TEST_CASE("shapes are written without a display, one or one a frame") {
@@ -214,7 +214,7 @@ TEST_CASE("shapes are written without a display, one or one a frame") {
     CHECK(drapeau_run({"report", "--obj", folder / "a.obj", "--from", "0.5"}, without_display()).status == 0);
     CHECK(drapeau_run({"report", "--obj", folder / "s-%d.obj", "--fps", "30", "--seconds", "0.1"}, without_display())
               .status == 0);
-    CHECK(files_in(folder.path()) == 4);
+    CHECK(files_in(folder.path) == 4);
     CHECK(has(read_text(folder / "a.obj"), "after 0.5 s"));
     CHECK(has(read_text(folder / "s-2.obj"), "\nvn "));
     check_refused(drapeau_run({"report", "--obj", folder / "a.stl"}, without_display()), ".obj is allowed");
@@ -287,7 +287,7 @@ TEST_CASE_METHOD(Desk,
     wait_for_message("nothing is left of it");
     app.wait_until("the image", [](const Look& look) { return has(look.text("texture"), "japan"); });
     CHECK(read_text(file) == first);
-    CHECK(files_in(folder.path()) == 2);
+    CHECK(files_in(folder.path) == 2);
     app.check_healthy();
 }
 

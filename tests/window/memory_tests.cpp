@@ -115,6 +115,20 @@ TEST_CASE_METHOD(MemoryOfStillFlag,
     wait_for("message", "still.toml:9: flag.texture = \"lost.png\"");
     CHECK(app.settle().number("columns") == 5);
     CHECK(app.look().text("texture") == texture);
+    // Nor does one whose image is none; with another that is one, both come together.
+    write_text(folder / "broken.png", "no picture");
+    std::string other = still_with("columns = 4", "columns = 3");
+    save_by_renaming(file, other.replace(other.find("france.png"), 10, "broken.png"));
+    wait_for("message", "broken.png");
+    CHECK(app.settle().text("message").find("still.toml:9: ") != std::string::npos);
+    CHECK(app.look().number("columns") == 5);
+    CHECK(app.look().text("texture") == texture);
+    save_by_renaming(file, other.replace(other.find("broken.png"), 10, "japan.png"));
+    wait_for_columns(3);
+    wait_for("texture", "japan.png");
+    app.press("ctrl+z");
+    wait_for_columns(5);
+    wait_for("texture", "france.png");
     write_text(file, "");
     save_by_renaming(file, still_with("columns = 4", "columns = 6"));
     wait_for_columns(6);

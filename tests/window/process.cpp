@@ -95,21 +95,10 @@ std::string Process::errors() const {
 
 Finished run(const std::vector<std::string>& command, const Surroundings& surroundings, Seconds limit) {
     const TemporaryFolder logs;
-    Process process(command, surroundings, logs.path());
+    Process process(command, surroundings, logs.path);
     const std::optional<int> status = process.wait(limit);
     if (!status) throw std::runtime_error(command.front() + " did not end in time:\n" + process.errors());
     return {*status, process.output(), process.errors()};
-}
-
-TemporaryFolder::TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "drapeau-test-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("could not make the folder " + name);
-    path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
 }
 
 std::string read_text(const std::filesystem::path& file) {

@@ -1,6 +1,8 @@
 // Process: a program started by a test, with its own surroundings, watched with a time limit and never left behind.
 #pragma once
 
+#include "temporary_folder.hpp"
+
 #include <sys/types.h>
 
 #include <chrono>
@@ -12,6 +14,7 @@
 
 namespace drapeau::window_tests {
 
+using drapeau::TemporaryFolder;
 using Seconds = std::chrono::duration<double>;
 
 /// Generous: software rendering on a busy machine. Nothing waits this long unless something is wrong.
@@ -54,21 +57,6 @@ struct Finished {
 
 /// Runs a program to its end; throws if it does not end in time.
 Finished run(const std::vector<std::string>& command, const Surroundings& surroundings = {}, Seconds limit = patience);
-
-/// A folder of a test's own, removed with all it holds.
-class TemporaryFolder {
-public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 std::string read_text(const std::filesystem::path& file);
 void write_text(const std::filesystem::path& file, const std::string& text);

@@ -15,7 +15,7 @@ Screen::Screen(Alone alone) {
     const std::string size = std::to_string(width) + "x" + std::to_string(height) + "x24";
     std::vector<std::string> server{"Xvfb", "-displayfd", "1", "-screen", "0", size, "-nolisten", "tcp"};
     if (alone == Alone::stays) server.push_back("-noreset");
-    server_ = std::make_unique<Process>(server, Surroundings{}, folder_.path());
+    server_ = std::make_unique<Process>(server, Surroundings{}, folder_.path);
     const auto deadline = std::chrono::steady_clock::now() + patience;
     while (server_->output().find('\n') == std::string::npos) {
         if (!server_->running() || std::chrono::steady_clock::now() > deadline)

@@ -124,6 +124,21 @@ TEST_CASE_METHOD(BarePanel, "a double click on a bar types its number, and the v
         return look.text("message") == "Width = 99 m: 0.1 m to 5 m is allowed, 5 m is taken.";
     });
     CHECK(value("Number: Width") == "5.00 m");
+
+    // With a unit of its own, as with another prefix; not with one of something else.
+    app.double_click(bar.at(0.3, 0.5));
+    app.wait_until("the field", [](const Look& look) { return !look.has("Number: Width"); });
+    screen.xdotool({"type", "--delay", "0", "150 cm"});
+    app.press("Return");
+    wait_for_value("Number: Width", "1.50 m");
+    app.double_click(bar.at(0.3, 0.5));
+    app.wait_until("the field", [](const Look& look) { return !look.has("Number: Width"); });
+    screen.xdotool({"type", "--delay", "0", "2 ft"});
+    app.press("Return");
+    app.wait_until("a message", [](const Look& look) {
+        return look.text("message") == "Width = 2 ft: no number of m; it stays 1.5 m.";
+    });
+    CHECK(value("Number: Width") == "1.50 m");
     app.check_healthy();
 }
 
