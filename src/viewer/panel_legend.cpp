@@ -1,4 +1,5 @@
-// The legends below the flag, at the right: a bar of colours, or a wedge for lengths, with its numbers; beside each other.
+// The legends below the flag, at the right: a bar of colours, or a wedge for lengths, with its numbers; beside each
+// other.
 #include "panels.hpp"
 
 #include "legend.hpp"

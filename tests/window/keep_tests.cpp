@@ -165,8 +165,7 @@ TEST_CASE("a film that is stopped or cannot be written leaves no file, and one l
         CAPTURE(name);
         Process process(command({"report", "--record", folder / name, "--seconds", "1000", "--size", "160x100"}),
                         screen.surroundings(), logs.path);
-        while (process.running() && !has_begun(folder.path))
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        while (process.running() && !has_begun(folder.path)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
         process.stop();
         CHECK(process.wait() == 128 + 15);
         CHECK(has(process.errors(), "stopped; nothing is left of "));
