@@ -121,6 +121,9 @@ std::optional<int> read_options(int count, char** words, Options& options) {
         parse(app, count, words);
         if (!size.empty()) size_from(size, options);
         check(options);
+        if (!scene_list) return std::nullopt;
+        for (const std::string& name : shipped_scenes()) std::puts(name.c_str());
+        return finish_output("drapeau", 0);
     } catch (const CLI::Success& done) {
         return finish_output("drapeau", app.exit(done));
     } catch (const CLI::ParseError& wrong) {
@@ -130,9 +133,6 @@ std::optional<int> read_options(int count, char** words, Options& options) {
         complain("drapeau", wrong.what());
         return 2;
     }
-    if (!scene_list) return std::nullopt;
-    for (const std::string& name : shipped_scenes()) std::puts(name.c_str());
-    return finish_output("drapeau", 0);
 }
 
 }  // namespace drapeau

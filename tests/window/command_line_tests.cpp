@@ -100,6 +100,19 @@ TEST_CASE("a bad command line gives one line that names what is wrong, and statu
     }
 }
 
+TEST_CASE("a program without its scenes says where it looked for them") {
+    const TemporaryFolder folder;
+    const std::string alone = folder / "drapeau";
+    std::filesystem::copy(DRAPEAU_PROGRAM, alone);
+    for (const std::string argument : {"--scene-list", "report"}) {
+        const Finished answer = run({alone, argument}, without_display());
+        CAPTURE(argument, answer.errors);
+        CHECK(answer.status == 2);
+        CHECK(is_one_line(answer.errors));
+        CHECK(answer.errors.find(folder.path.string()) != std::string::npos);
+    }
+}
+
 TEST_CASE("without a display it says so in one line") {
     const Finished answer = drapeau_run({}, without_display());
     CAPTURE(answer.errors);
