@@ -32,6 +32,9 @@ TEST_CASE("numbers stand with their unit and without long exponents, and are rea
     CHECK(number_text(1.23e-5, "%.3g N\xc2\xb7s/m") == "1.23e-5 N\xc2\xb7s/m");
     CHECK(number_text(10.0, "%.0f %%") == "10 %");
     CHECK(number_text(45.0, "%.0f") == "45");
+    CHECK(number_text(0.4, "%.0f %%") == "0.4 %");
+    CHECK(number_text(2.5, "%.0f %%") == "2.5 %");
+    CHECK(number_text(12.5, "%.0f %%") == "12 %");
     CHECK(unit_of("%.0f %%") == "%");
     CHECK(unit_of("%.3g N\xc2\xb7s/m") == "N\xc2\xb7s/m");
     CHECK(unit_of("%.0f").empty());

@@ -20,7 +20,7 @@ using namespace drapeau::lab;
 
 constexpr const char* exit_notes =
     "Example: drapeau-lab run storm --seconds 10 --dt auto --state storm.csv\n"
-    "Exit status: 0 good, 2 bad input, 3 diverged.";
+    "Exit status: 0 good, 1 a check that did not hold or a failure, 2 bad input, 3 diverged.";
 int refuse(const std::string& message) {
     complain(program, message);
     return exit_bad_input;

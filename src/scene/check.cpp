@@ -108,6 +108,11 @@ double memory_of(double masses, Precision precision, bool has_added_air) {
     return masses * (numbers_kept * number + snapshots + handed_out + error);
 }
 
+bool feels_wind(const Scene& scene) {
+    const auto& air = scene.terms.get<Air>();
+    return scene.drag() || (air && (air->pressure || air->skin || air->added));
+}
+
 std::optional<SceneFault> find_fault(const Scene& scene) {
     if (!scene.springs && !scene.fabric)
         return SceneFault{"", "", "", "the material is missing: [springs] or [fabric]"};
@@ -141,7 +146,7 @@ std::optional<SceneFault> find_fault(const Scene& scene) {
     }
     if (auto fault = find_fault_of_cells(scene)) return fault;
     if (auto fault = find_fault_of_ground(scene)) return fault;
-    if (scene.wind() && !scene.drag() && !(air && (air->pressure || air->skin || air->added))) {
+    if (scene.wind() && !feels_wind(scene)) {
         const std::string drag = scene.fabric ? "fabric.drag_per_area" : "springs.drag";
         return SceneFault{"wind", "", "",
                           "nothing would feel it; give " + drag + " or [air] too, or leave the wind out"};

@@ -24,6 +24,9 @@ inline constexpr const char* two_materials =
 
 std::optional<SceneFault> find_fault(const Scene& scene);
 
+/// Whether there is a force that wind acts by.
+bool feels_wind(const Scene& scene);
+
 /// Bytes a run of this many masses takes, all its copies included.
 double memory_of(double masses, Precision precision, bool has_added_air = false);
 

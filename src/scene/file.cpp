@@ -261,16 +261,23 @@ Scene parse_scene(std::string_view text, const std::string& origin, std::span<co
     return scene;
 }
 
+std::string place_of_texture(std::string_view text, const std::string& origin) {
+    try {
+        const toml::table root = toml::parse(text, origin);
+        const auto texture = root["flag"]["texture"];
+        return texture ? origin + ":" + std::to_string(texture.node()->source().begin.line) : origin;
+    } catch (const toml::parse_error&) {
+        return origin;
+    }
+}
+
 std::string place_of_texture(const std::filesystem::path& scene_file) {
     const std::string name = one_line(scene_file.string(), 1000);
     try {
-        const toml::table root = toml::parse(read_text_file(scene_file.string(), max_bytes), scene_file.string());
-        const auto texture = root["flag"]["texture"];
-        return texture ? name + ":" + std::to_string(texture.node()->source().begin.line) : name;
+        return place_of_texture(read_text_file(scene_file.string(), max_bytes), name);
     } catch (const InputError&) {
-    } catch (const toml::parse_error&) {
+        return name;
     }
-    return name;
 }
 
 }  // namespace drapeau

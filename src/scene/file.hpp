@@ -70,6 +70,7 @@ std::filesystem::path find_texture(const std::string& texture, const std::filesy
 
 /// Where a scene's file says its texture: "storm.toml:7"; "storm.toml" where it does not.
 std::string place_of_texture(const std::filesystem::path& scene_file);
+std::string place_of_texture(std::string_view text, const std::string& origin);  // of a scene as text
 
 /// assets/ of the source or build tree, or of the installation (found from the program's own place, not the working
 /// directory).

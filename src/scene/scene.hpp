@@ -78,8 +78,7 @@ struct ViewSettings {
     std::optional<double> force_range{};    // N, at the end of the force colours; absent: it follows the forces
     std::optional<double> stretch_range{};  // share, at the ends of the stretch colours; absent: it follows the stretch
     bool velocities = false;                // a line from masses along their velocity
-    std::optional<double>
-        velocity_range{};  // m/s, of the longest line in the legend; absent: it follows the velocities
+    std::optional<double> velocity_range{};  // m/s, of the legend's longest line; absent: it follows the velocities
 
     bool operator==(const ViewSettings&) const = default;
 };

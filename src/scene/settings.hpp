@@ -267,7 +267,7 @@ inline constexpr std::tuple time_keys{
         About{"Tolerance", "m/s", "the error of positions in a second of simulated time; with an automatic step only",
               "The automatic step also stays small enough for this error (root mean square over the masses, measured "
               "over 0.1 s). A smaller tolerance takes more time: half of it twice as much with a method of order 1."},
-        Range{1e-9, 1e3}, Control{{0.001, 100}, true, "%.3g", 1000, "mm/s", 0.001}},
+        Range{1e-9, 1e3}, Control{{0.001, 100}, true, "%.3g", 1000, "mm/s", 0.001}, "off"},
 };
 
 inline constexpr std::tuple view_keys{

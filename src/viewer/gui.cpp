@@ -140,6 +140,12 @@ void Gui::begin(const GuiFrame& frame, const std::vector<InputEvent>& events, bo
     keys_.new_frame(events, keeps_keys);
 }
 
+bool Gui::close_list() {
+    if (ImGui::GetCurrentContext()->OpenPopupStack.empty()) return false;
+    ImGui::ClosePopupToLevel(0, true);
+    return true;
+}
+
 void Gui::end() {
     ImGui::Render();
 }

@@ -30,6 +30,8 @@ public:
     /// `events`: what happened to the window since the last frame. `keeps_keys`: for a later frame.
     void begin(const GuiFrame& frame, const std::vector<InputEvent>& events, bool keeps_keys = false);
     bool is_text_edited() const;                                   // a field has the keyboard
+    bool dropped_keys() { return keys_.dropped(); }                // see KeyFeed
+    bool close_list();                                             // one that is open: whether there was one
     bool has_waiting_keys() const { return keys_.has_waiting(); }  // for the next frame
     void end();                                                    // no more is added to this frame
     void draw();                                                   // into the framebuffer that is bound

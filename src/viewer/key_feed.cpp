@@ -31,15 +31,40 @@ bool is_of_keyboard(const InputEvent& event) {
 
 }  // namespace
 
-// A frame takes characters and then one key: ImGui types first and knows no order among keys. What is pressed stays
-// down for a frame, and the modifiers with it; what is let go stays up for one.
 void KeyFeed::new_frame(const std::vector<InputEvent>& events, bool keeps) {
     feed(events, keeps);
     ImGui::NewFrame();
 }
 
+// A press may open a field, and so may letting go: what comes after it waits for a frame.
 void KeyFeed::feed(const std::vector<InputEvent>& events, bool keeps) {
-    std::copy_if(events.begin(), events.end(), std::back_inserter(waiting_), is_of_keyboard);
+    const auto is_press = [](const InputEvent& event) { return event.kind == Kind::press; };
+    const auto take = [this](auto from, auto to) {
+        std::copy_if(from, to, std::back_inserter(waiting_), is_of_keyboard);
+    };
+    const auto first = std::find_if(events.begin(), events.end(), is_press);
+    const auto behind_last = std::find_if(events.rbegin(), events.rend(), is_press).base();
+    take(events.begin(), first);
+    const bool was_down = ImGui::GetIO().MouseDownDuration[0] >= 0.0f;
+    give(keeps || was_down);
+    if (first == events.end()) return;
+    take(first, behind_last);
+    drop(waiting_.size());
+    take(behind_last, events.end());
+}
+
+void KeyFeed::drop(std::size_t count) {
+    for (; count > 0; --count, waiting_.pop_front()) {
+        const InputEvent& event = waiting_.front();
+        if (event.kind == Kind::key_up) down_.erase(event.code);
+        if (event.kind == Kind::key && is_modifier(event.code)) down_.insert(event.code);
+        if (event.kind == Kind::character) dropped_ = true;
+    }
+}
+
+// A frame takes characters and then one key: ImGui types first and knows no order among keys. What is pressed stays
+// down for a frame, and the modifiers with it; what is let go stays up for one.
+void KeyFeed::give(bool keeps) {
     ImGuiIO& io = ImGui::GetIO();
     io.ClearInputCharacters();
     if (keeps) return;
@@ -89,6 +114,18 @@ void KeyFeed::new_frame(const std::vector<InputEvent>&, bool keeps) {
     };
     std::vector<ImGuiInputEvent> kept;
     if (keeps) {
+        const auto is_press = [](const ImGuiInputEvent& event) {
+            return event.Type == ImGuiInputEventType_MouseButton && event.MouseButton.Down;
+        };
+        const auto is_text = [](const ImGuiInputEvent& event) { return event.Type == ImGuiInputEventType_Text; };
+        const int pressed_at = int(
+            std::find_if(std::reverse_iterator(queue.end()), std::reverse_iterator(queue.begin()), is_press).base() -
+            queue.begin());
+        for (int i = pressed_at; i-- > 0;)
+            if (is_text(queue[i])) {
+                queue.erase(&queue[i]);
+                dropped_ = true;
+            }
         const auto keys = std::stable_partition(queue.begin(), queue.end(), is_of_mouse);
         kept.assign(keys, queue.end());
         queue.resize(int(keys - queue.begin()));

@@ -8,6 +8,7 @@
 
 #include <deque>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace drapeau {
@@ -21,11 +22,19 @@ public:
     /// Whether events are left for the next frame.
     bool has_waiting() const;
 
+    /// What was typed and still waits as the mouse is pressed would go to whatever is pressed: it is dropped. Tells
+    /// once that it was.
+    bool dropped() { return std::exchange(dropped_, false); }
+
 private:
-    void feed(const std::vector<InputEvent>& events, bool keeps);  // where ImGui has no queue
+    // Where ImGui has no queue.
+    void feed(const std::vector<InputEvent>& events, bool keeps);
+    void give(bool keeps);         // to ImGui what a frame takes
+    void drop(std::size_t count);  // of what waits longest
 
     std::deque<InputEvent> waiting_;
     std::set<int> down_;  // GLFW's numbers
+    bool dropped_ = false;
 };
 
 }  // namespace drapeau

@@ -7,15 +7,15 @@ namespace drapeau {
 namespace {
 
 std::string newtons(double force) {
-    return fmt::format("{:.3g} N", force);
+    return fmt::format("{:.6g} N", force);
 }
 
 std::string per_cent(double share) {
-    return fmt::format("{:.3g} %", 100.0 * share);
+    return fmt::format("{:.6g} %", 100.0 * share);
 }
 
 std::string speed(double metres_per_second) {
-    return fmt::format("{:.3g} m/s", metres_per_second);
+    return fmt::format("{:.6g} m/s", metres_per_second);
 }
 
 /// A single row or column of masses has no cloth.
@@ -55,7 +55,7 @@ std::vector<Legend> legends(const AppState& app) {
     if (view.forces) {
         const double end = force_end(app);
         shown.push_back({.title = "Force of a spring, |k (l - L)|",
-                         .short_title = "|k (l - L)|",
+                         .short_title = "Spring force",
                          .labels = {"0 N", newtons(end / 2.0), newtons(end)},
                          .fixed = view.force_range.has_value(),
                          .colours = &force_colours(view.colours)});

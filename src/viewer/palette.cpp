@@ -43,13 +43,14 @@ bool holds_in_order(std::string_view name, std::string_view letters) {
 }
 
 /// Of one word, both in small letters.
-int word_score(std::string_view name, std::string_view word) {
+int word_score(std::string_view name, std::string_view word, bool beginnings) {
     constexpr int in_front = 8, at_word = 6, within = 4, scattered = 1;
     std::size_t at = name.find(word);
     if (at == 0) return in_front;
     const bool found = at != std::string_view::npos;
     for (; at != std::string_view::npos; at = name.find(word, at + 1))
         if (!is_letter_or_digit(name[at - 1])) return at_word;
+    if (beginnings) return 0;
     if (found) return within;
     return word.size() > 1 && holds_in_order(name, word) ? scattered : 0;
 }
@@ -113,6 +114,7 @@ void add_settings(const AppState& app, std::vector<PaletteItem>& items) {
             item.kind = PaletteItem::Kind::setting;
             item.label = field.about.label;
             item.detail = detail;
+            item.about = field.about.help;
             item.mark.control = control;
             item.mark.page = page_of(table, field.key);
         });
@@ -166,13 +168,13 @@ std::vector<PaletteItem> palette_items(const AppState& app) {
     return items;
 }
 
-int match_score(std::string_view name, std::string_view typed) {
+int match_score(std::string_view name, std::string_view typed, bool beginnings) {
     const std::string small = lower(name), words = lower(typed);
     int score = 1;
     for (std::size_t at = 0; at < words.size();) {
         const std::size_t end = std::min(words.find(' ', at), words.size());
         if (end > at) {
-            const int found = word_score(small, std::string_view(words).substr(at, end - at));
+            const int found = word_score(small, std::string_view(words).substr(at, end - at), beginnings);
             if (!found) return 0;
             score += found;
         }
@@ -188,7 +190,8 @@ std::vector<PaletteItem> matching(std::vector<PaletteItem> items, std::string_vi
         const std::string key =
             item.keywords.empty() ? item.detail.substr(0, item.detail.find_first_of(" :")) : item.keywords;
         const int by_label = 2 * match_score(item.label, typed), by_key = 2 * match_score(key, typed) - 1;
-        const int score = std::max(by_label, by_key);
+        const int by_all = match_score(key + ' ' + item.label + ' ' + item.about, typed, true);
+        const int score = std::max({by_label, by_key, by_all});
         if (score > 0) scored.emplace_back(score, std::move(item));
     }
     std::stable_sort(scored.begin(), scored.end(), [](const auto& a, const auto& b) { return a.first > b.first; });

@@ -47,14 +47,15 @@ struct PaletteItem {
     std::string path{};                     // or name, of a scene or an image
     std::function<void(AppState&)> sets{};  // of a choice, or of what a button does
     std::string keywords{};                 // by which it is found too; else its detail's first word
+    std::string about{};                    // whose words it is found by after all others
 };
 
 /// Everything that can be chosen now.
 std::vector<PaletteItem> palette_items(const AppState& app);
 
 /// How well a name fits what was typed: 0 does not. Every word of it must be found, whole at the beginning of a word
-/// best, letters in their order with others between least.
-int match_score(std::string_view name, std::string_view typed);
+/// best, letters in their order with others between least. `beginnings`: at the beginnings of words alone.
+int match_score(std::string_view name, std::string_view typed, bool beginnings = false);
 
 /// The items that fit, the best first, else in their order.
 std::vector<PaletteItem> matching(std::vector<PaletteItem> items, std::string_view typed);

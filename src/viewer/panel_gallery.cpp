@@ -154,6 +154,7 @@ void draw_scene_gallery(AppState& app, Widgets& widgets) {
     ImGui::Begin("scenes", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+    if (ImGui::IsWindowAppearing()) ImGui::SetScrollY(0.0f);
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("Scenes that ship");
     const float button = ImGui::CalcTextSize("Close").x + 2.0f * ImGui::GetStyle().FramePadding.x;

@@ -1,6 +1,7 @@
 // The page on masses, springs, and on the terms and limits that have no page of their own.
 #include "panels.hpp"
 
+#include "scene/check.hpp"
 #include "scene/material.hpp"
 #include "setting_controls.hpp"
 
@@ -37,9 +38,16 @@ void edit_fabric(AppState& app, Widgets& widgets) {
     bring_fabric(app, before);
 }
 
+/// A wind that nothing feels is no scene: it goes with the last that felt it.
+void leave_out_unfelt_wind(AppState& app) {
+    app.scene.wind().reset();
+    say(app, Message::Cause::typed, "The wind is off too, for nothing feels it now. Ctrl Z brings both back.", false);
+}
+
 }  // namespace
 
 void draw_springs_page(AppState& app, Widgets& widgets) {
+    const bool was_felt = feels_wind(app.scene);
     choose_material(app, widgets);
     if (app.scene.fabric)
         edit_fabric(app, widgets);
@@ -56,6 +64,7 @@ void draw_springs_page(AppState& app, Widgets& widgets) {
         if constexpr (has_table && !std::is_same_v<Term, Wind>)
             edit_table(widgets, term, app.origin.terms.get<Term>(), usual_term<Term>(app.scene));
     });
+    if (app.scene.wind() && was_felt && !feels_wind(app.scene)) leave_out_unfelt_wind(app);
 }
 
 }  // namespace drapeau

@@ -62,11 +62,11 @@ void edit_accuracy(AppState& app, Widgets& widgets) {
     constexpr double usual = 1e-3;  // m a simulated second
     const bool was_on = findings.accuracy.has_value();
     if (widgets.term(
-            "Accuracy", findings.accuracy, scale_of(row.about, row.control), none, usual, "as set",
+            "Accuracy", findings.accuracy, scale_of(row.about, row.control, row.range), none, usual, "as set",
             "The error that may be made, as the reading Error has it: in a tenth of a second, as so much a second. "
             "The program picks the method and the precision that cost least for it with automatic steps, among "
             "all that it measured, and follows it with the step. A method or a step set by hand ends that.",
-            "On: the program picks the method and the step. Off: they are as the page Time says.")) {
+            "On: the program picks the method, the precision and the step. Off: they are as the page Time says.")) {
         if (findings.accuracy) {
             set_time(app, settings_for(*findings.accuracy, app.scene, findings));
             const bool known = findings.trade && holds_for(findings.trade->scene, app.scene);

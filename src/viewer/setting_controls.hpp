@@ -14,8 +14,8 @@ namespace drapeau {
 /// What a control says when the mouse rests on it.
 std::string tip_of(std::string_view table, std::string_view key, const settings::About& about);
 
-/// The slider of a number.
-SliderScale scale_of(const settings::About& about, const settings::Control& control);
+/// The slider of a number; what is in `allowed` may be typed.
+SliderScale scale_of(const settings::About& about, const settings::Control& control, const settings::Range& allowed);
 
 /// The switch of a term: whether it was clicked.
 bool switch_table(Widgets& widgets, std::string_view name, std::string_view remark, bool on);
@@ -25,7 +25,8 @@ bool switch_table(Widgets& widgets, std::string_view name, std::string_view rema
 
 template <class Field>
 bool edit(Widgets& widgets, const Field& field, const std::string& tip, double& value, const double& origin) {
-    return widgets.slider(field.about.label, value, scale_of(field.about, field.control), origin, tip.c_str());
+    return widgets.slider(field.about.label, value, scale_of(field.about, field.control, field.range), origin,
+                          tip.c_str());
 }
 
 template <class Field>
@@ -33,17 +34,16 @@ bool edit(Widgets& widgets, const Field& field, const std::string& tip, std::opt
           const std::optional<double>& origin) {
     const std::string absent = field.absent.empty() ? "not modelled" : std::string(field.absent);
     const char* switch_tip = absent == "auto" ? "On: fixed by you. Off: automatic." : Widgets::usual_switch_tip;
-    return widgets.term(field.about.label, value, scale_of(field.about, field.control), origin, field.control.usual,
-                        absent, tip.c_str(), switch_tip);
+    return widgets.term(field.about.label, value, scale_of(field.about, field.control, field.range), origin,
+                        field.control.usual, absent, tip.c_str(), switch_tip);
 }
 
 template <class Field, std::integral Whole>
 bool edit(Widgets& widgets, const Field& field, const std::string& tip, Whole& value, const Whole& origin) {
-    const auto& ends = field.control.range;
+    SliderScale scale = scale_of(field.about, field.control, field.range);
+    scale.format = "%.0f", scale.whole = true;
     int shown = static_cast<int>(value);
-    if (!widgets.slider(field.about.label, shown, static_cast<int>(ends.lowest), static_cast<int>(ends.highest),
-                        static_cast<int>(origin), tip.c_str()))
-        return false;
+    if (!widgets.slider(field.about.label, shown, scale, static_cast<int>(origin), tip.c_str())) return false;
     value = static_cast<Whole>(shown);
     return true;
 }
@@ -67,7 +67,7 @@ bool edit(Widgets& widgets, const Field& field, const std::string& tip, Enum& va
 template <class Field>
 bool edit(Widgets& widgets, const Field& field, const std::string& tip, glm::dvec3& value, const glm::dvec3& origin) {
     bool changed = false;
-    const SliderScale scale = scale_of(field.about, field.control);
+    const SliderScale scale = scale_of(field.about, field.control, field.range);
     for (const auto& [axis, name] : {std::pair{0, " along"}, {1, " up"}, {2, " across"}})
         changed |= widgets.slider((std::string(field.about.label) + name).c_str(), value[axis], scale, origin[axis],
                                   tip.c_str());
@@ -98,7 +98,7 @@ void edit_table(Widgets& widgets, std::optional<Term>& term, const std::optional
         const auto value_of = [&](const auto& t) { return t ? std::optional(*t.*first.member) : std::nullopt; };
         auto value = value_of(term);
         const auto tip = tip_of(Term::table, first.key, first.about);
-        if (!widgets.term(first.about.label, value, scale_of(first.about, first.control), value_of(origin),
+        if (!widgets.term(first.about.label, value, scale_of(first.about, first.control, first.range), value_of(origin),
                           Term{}.*first.member, "not modelled", tip.c_str()))
             return;
         if (!value) return term.reset();

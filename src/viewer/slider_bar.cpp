@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace drapeau {
 
@@ -85,6 +86,7 @@ void begin_bars(BarMemory& memory) {
     BarMemory::Typing& typing = memory.typing;
     if (!typing.seen) typing = {};
     typing.seen = false;
+    memory.drawn = 0;
 }
 
 void type_number(unsigned id, double value, BarMemory& memory) {
@@ -101,7 +103,9 @@ bool is_typed(unsigned id, glm::vec2 size, double value, BarMemory& memory) {
     const ImRect whole(low.x, low.y, low.x + size.x, low.y + size.y);
     const auto twice = memory.pressed_twice;
     if (is_disabled()) return false;
-    if (!typing.bar && typing.goes_on) {
+    const unsigned before = std::exchange(memory.drawn, id);
+    const bool is_next = typing.goes_to ? typing.goes_to == id : typing.goes_on;
+    if (!typing.bar && is_next) {
         type_number(id, value, memory);
     } else if (twice && whole.Contains({twice->x, twice->y}) && typing.bar != id &&
                ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem)) {
@@ -109,6 +113,7 @@ bool is_typed(unsigned id, glm::vec2 size, double value, BarMemory& memory) {
     }
     if (typing.bar != id) return false;
     typing.seen = true;
+    typing.before = before;
     if (!typing.open && mouse_is_settled()) typing.open = true;
     return typing.open;
 }
@@ -193,12 +198,14 @@ bool edit_number(double& value, const SliderScale& scale, float width, BarMemory
         // Escape brings the first text back.
         if (!typing.text.empty() && typing.text != typing.first_text) {
             const auto number = typed_number(typing.text, unit);
-            if (number) value = std::clamp(*number, scale.low, scale.high);
+            if (number) value = std::clamp(*number, scale.least.value_or(scale.low), scale.most.value_or(scale.high));
             if (value != number) memory.not_taken = {typing.text, number};
         }
-        const bool goes_on = typing.goes_on;
+        const bool goes_on = typing.goes_on, back = goes_on && ImGui::GetIO().KeyShift;
+        const unsigned goes_to = back ? typing.before : 0;
         typing = {};
-        typing.goes_on = typing.seen = goes_on;
+        typing.goes_on = typing.seen = goes_on && (!back || goes_to);
+        typing.goes_to = goes_to;
     }
     return value != before;
 }

@@ -31,15 +31,17 @@ struct BarMemory {
         std::string text, first_text;
         bool seen = false;     // in this frame
         bool goes_on = false;  // with the next bar: Tab was pressed
+        unsigned before = 0;   // the bar that is drawn before this one; 0: none
+        unsigned goes_to = 0;  // that one: Shift and Tab were pressed
     };
     /// What was typed and is not the value now.
     struct NotTaken {
         std::string text;
-        std::optional<double>
-            number;  // beyond the bar's ends; none: the text is no number, or in no unit like the bar's
+        std::optional<double> number;  // more or less than is allowed; none: no number, or in another unit
     };
     Click click;
     Typing typing;
+    unsigned drawn = 0;  // the last one in this frame
     std::optional<NotTaken> not_taken;
     std::optional<glm::vec2> pressed_twice;  // where, in this frame
 

@@ -27,12 +27,15 @@ double value_at(double share, const SliderScale& scale) {
 }
 
 std::string number_text(double value, const std::string& format) {
-    constexpr int longest_in_full = 6;  // digits before the point
+    constexpr int longest_in_full = 6;    // digits before the point
+    constexpr double most_rounded = 0.1;  // of the value; 0.4 % is not "0 %"
     char buffer[80];
     std::snprintf(buffer, sizeof buffer, format.c_str(), value);
     std::string text = buffer;
-    const std::size_t digits_end = text.find_first_not_of("+-.0123456789");
-    if (digits_end == std::string::npos || text[digits_end] != 'e' || digits_end + 3 > text.size()) return text;
+    const std::size_t digits_end = std::min(text.find_first_not_of("+-.0123456789"), text.size());
+    if (std::abs(std::strtod(buffer, nullptr) - value) > most_rounded * std::abs(value))
+        return fmt::format("{:.2g}", value) + text.substr(digits_end);
+    if (digits_end == text.size() || text[digits_end] != 'e' || digits_end + 3 > text.size()) return text;
     char* end = nullptr;
     const long exponent = std::strtol(text.c_str() + digits_end + 1, &end, 10);
     const std::string unit = end;

@@ -13,6 +13,7 @@ struct SliderScale {
     std::string format = "%.3g";                  // printf, with the unit
     double shown_per_unit = 1.0;                  // 1000 shows metres as millimetres
     bool whole = false;                           // the bar gives whole numbers
+    std::optional<double> least{}, most{};        // that may be typed; absent: the bar's ends
     bool at_once = false;                         // a click sets, without waiting for whether it is the first of two
     const char* widest = "1.23e-5 N\xc2\xb7s/m";  // the number's column has room for this
 };

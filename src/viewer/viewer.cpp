@@ -146,7 +146,7 @@ bool Viewer::picture_wanted() const {
 }
 
 void Viewer::input() {
-    const std::vector<InputEvent> events = wait_for_events();
+    std::vector<InputEvent> events = wait_for_events();
     own_work_.begin();
     // Time at rest is none that the run could be behind.
     if (rest_seconds_ > 0.0 && !runs()) last_time_ = glfwGetTime();
@@ -162,7 +162,13 @@ void Viewer::input() {
     panel_memory_.widgets.bars.pressed_twice = double_press_.in(events);
     gui_.begin({.size = size(), .pixels_per_unit = pixels, .seconds = repeatable() ? 1.0f / 60.0f : 0.0f}, events,
                field_comes);
+    if (gui_.dropped_keys() && (field_comes || gui_.is_text_edited() || panel_memory_.widgets.bars.pressed_twice))
+        say(app_, Message::Cause::typed,
+            "What was typed last was lost: its field was not there yet as the mouse was pressed.", false);
     lay_out(app_, size().x, size().y, repeatable() ? 1.0f : window_.content_scale());
+    const auto is_escape = [](const InputEvent& e) { return e.kind == InputEvent::Kind::key && e.key == Key::escape; };
+    const auto escape = std::find_if(events.begin(), events.end(), is_escape);
+    if (escape != events.end() && gui_.close_list()) events.erase(escape);
     const ImGuiIO& io = ImGui::GetIO();
     controls_.apply(events, {.mouse = io.WantCaptureMouse, .keyboard = io.WantTextInput || field_comes}, framing_, app_,
                     camera_);

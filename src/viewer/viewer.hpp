@@ -130,6 +130,7 @@ private:
     void reload_wanted();
     void set_scene(OtherScene other);
     void take_scene(OtherScene other);
+    bool drop_other_scene();
     void clipboard_wanted();
 
     Options options_;

@@ -119,6 +119,7 @@ void Viewer::undo_wanted() {
     if (app_.playback.shown)
         return say(app_, Message::Cause::history, "An earlier moment is shown: go on from it, or back to the end",
                    false);
+    if (undo && drop_other_scene()) return say(app_, Message::Cause::history, "Undone: the scene that was read", false);
     const std::string what = undo ? app_.history.undone() : app_.history.redone();
     const auto entry = undo ? app_.history.undo() : app_.history.redo();
     if (!entry) return say(app_, Message::Cause::history, undo ? "Nothing to undo" : "Nothing to redo", false);
@@ -130,7 +131,7 @@ void Viewer::undo_wanted() {
 /// The image that the scene's settings go with, which they name already.
 void Viewer::restore_image(const fs::path& file) {
     if (file == entry_now().image) return;
-    other_.reset();
+    drop_other_scene();
     restored_image_ = file;
     if (!file.empty()) return loader_.load_image(file.string());
     loader_.forget_image();
@@ -153,6 +154,7 @@ std::vector<InputEvent> Viewer::wait_for_events() {
 void Viewer::reload_wanted() {
     if (repeatable() || opening_) return;
     if (!std::exchange(file_changed_, false) && !watch_.changed(glfwGetTime())) return;
+    drop_other_scene();
     try {
         const bool first = watch_.file() == first_file_;
         Scene read = read_scene(watch_.file(), first ? assignments_of(options_) : std::vector<Assignment>{});
@@ -169,10 +171,17 @@ void Viewer::reload_wanted() {
     }
 }
 
+/// One that waits for its image is wanted no more.
+bool Viewer::drop_other_scene() {
+    const bool waited = std::exchange(other_, std::nullopt).has_value();
+    if (waited) loader_.forget_image();
+    return waited;
+}
+
 /// Takes it once its image is there. Throws InputError, beginning with its place, and changes nothing where that is not
 /// found.
 void Viewer::set_scene(OtherScene other) {
-    if (std::exchange(other_, std::nullopt)) loader_.forget_image();
+    drop_other_scene();
     const std::string& texture = other.scene.flag.texture;
     if (texture != app_.scene.flag.texture) {
         const fs::path image = texture.empty() ? fs::path() : find_texture(texture, app_.scene_file, other.place);
@@ -210,10 +219,11 @@ void Viewer::clipboard_wanted() {
     }
     if (!app_.commands.paste_scene || opening_) return;
     try {
-        const char* text = ImGui::GetClipboardText();
-        Scene scene = parse_scene(text ? text : "", "pasted text");
+        const char* clipped = ImGui::GetClipboardText();
+        const std::string text = clipped ? clipped : "", origin = "pasted text";
+        Scene scene = parse_scene(text, origin);
         const std::string news = "Pasted: " + scene.name + ".";
-        set_scene({.scene = std::move(scene), .place = "pasted text", .news = news});
+        set_scene({.scene = std::move(scene), .place = place_of_texture(text, origin), .news = news});
     } catch (const InputError& wrong) {
         say(app_, Message::Cause::scene, wrong.what(), true);
     }

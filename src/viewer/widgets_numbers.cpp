@@ -2,6 +2,8 @@
 #include "row_layout.hpp"
 #include "widgets.hpp"
 
+#include "io/text.hpp"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -36,10 +38,11 @@ std::string in_full(double value, const SliderScale& scale) {
 std::string why_not_taken(const char* label, const BarMemory::NotTaken& typed, double value, const SliderScale& scale) {
     if (typed.number)
         return fmt::format("{} = {}: {} to {} is allowed, {} is taken.", label, in_full(*typed.number, scale),
-                           in_full(scale.low, scale), in_full(scale.high, scale), in_full(value, scale));
+                           in_full(scale.least.value_or(scale.low), scale),
+                           in_full(scale.most.value_or(scale.high), scale), in_full(value, scale));
     const std::string unit = unit_of(scale.format);
-    return fmt::format("{} = {}: no number{}; it stays {}.", label, typed.text, unit.empty() ? "" : " of " + unit,
-                       in_full(value, scale));
+    return fmt::format("{} = {}: no number{}; it stays {}.", label, one_line(typed.text, 40),
+                       unit.empty() ? "" : " of " + unit, in_full(value, scale));
 }
 
 }  // namespace
@@ -50,7 +53,7 @@ bool Widgets::bar(const char* label, double& shown, const SliderScale& scale, fl
     ImGui::PushID(label);
     const unsigned id = ImGui::GetID("bar");
     const std::string tip_of_bar = tip_text + how_to_type;
-    const auto note_bar = [&] { note(label, noted.empty() ? digits(scale.whole ? std::trunc(shown) : shown) : noted); };
+    const auto note_bar = [&] { note(label, noted.empty() ? digits(scale.whole ? std::round(shown) : shown) : noted); };
     bool changed = false;
     if (is_typed(id, {width, ImGui::GetFrameHeight()}, shown, bars)) {
         changed = edit_number(shown, scale, width, bars);
@@ -89,13 +92,12 @@ bool Widgets::slider(const char* label, double& value, const SliderScale& scale,
     return changed;
 }
 
-bool Widgets::slider(const char* label, int& value, int low, int high, int origin, const char* tip_text) {
+bool Widgets::slider(const char* label, int& value, const SliderScale& scale, int origin, const char* tip_text) {
     ImGui::PushID(label);
     begin_row(label, true);
     double shown = value;
-    const SliderScale scale{.low = double(low), .high = double(high), .format = "%.0f", .whole = true};
     bool changed = bar(label, shown, scale, control_width(), tip_text);
-    if (changed) value = int(shown);
+    if (changed) value = int(std::lround(shown));
     if (shown != value) correction_ = fmt::format("{} is a whole number: {} is taken.", label, value);  // typed
     if (back_arrow(label, value != origin)) {
         value = origin;

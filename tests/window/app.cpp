@@ -244,6 +244,8 @@ void App::type_number(const std::string& label, const std::string& text) {
     screen_.xdotool({"keyup", "ctrl"});
     screen_.xdotool({"type", "--delay", "5", text});
     press("Return");
+    // ImGui 1.87 and later spread keys over frames.
+    wait_until("the number typed", [&](const Look& look) { return look.has("Number: " + label); });
 }
 
 void App::type(const std::string& label, const std::string& text) {

@@ -30,6 +30,18 @@ std::string still_with(const std::string& before, const std::string& after) {
     return scene.replace(scene.find(before), before.size(), after);
 }
 
+/// 10^12 rectangles: it is drawn until its limit of 10 s is over.
+std::string svg_of_copies_of_copies() {
+    std::string text = R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" )"
+                       R"(viewBox="0 0 9 9"><defs><rect id="a0" width="9" height="9"/>)";
+    for (int level = 1; level <= 12; ++level) {
+        text += "<g id=\"a" + std::to_string(level) + "\">";
+        for (int copy = 0; copy < 10; ++copy) text += "<use xlink:href=\"#a" + std::to_string(level - 1) + "\"/>";
+        text += "</g>";
+    }
+    return text + "</defs><use xlink:href=\"#a12\"/></svg>";
+}
+
 /// As editors save: a new file takes the name of the old one.
 void save_by_renaming(const fs::path& file, const std::string& text) {
     const fs::path aside = file.string() + "~";
@@ -129,6 +141,15 @@ TEST_CASE_METHOD(MemoryOfStillFlag,
     app.press("ctrl+z");
     wait_for_columns(5);
     wait_for("texture", "france.png");
+    // One that is broken ends the waiting for the image of the one before.
+    write_text(folder / "slow.svg", svg_of_copies_of_copies());
+    save_by_renaming(file, other.replace(other.find("japan.png"), 9, "slow.svg"));
+    wait_for("loading", "slow.svg");
+    save_by_renaming(file, still_with("columns = 4", "columns = = 4"));
+    wait_for("message", "still.toml:3:");
+    wait_for("loading", "");
+    CHECK(app.settle().text("message").find("still.toml:3:") != std::string::npos);
+    CHECK(app.look().number("columns") == 5);
     write_text(file, "");
     save_by_renaming(file, still_with("columns = 4", "columns = 6"));
     wait_for_columns(6);

@@ -270,8 +270,8 @@ TEST_CASE_METHOD(SettingsOfStillFlag, "a number may be typed with a decimal comm
     const Look whole = app.wait_until("what is said of it", [](const Look& look) {
         return !look.text("message").empty();  // 12 stands there before the comma does
     });
-    CHECK(whole.text("message") == "Columns is a whole number: 12 is taken.");
-    CHECK(whole.controls.at("Columns").value == "12");
+    CHECK(whole.text("message") == "Columns is a whole number: 13 is taken.");
+    CHECK(whole.controls.at("Columns").value == "13");
     app.check_healthy();
 }
 
@@ -327,21 +327,22 @@ TEST_CASE("a run that diverges stops on its last good frame and names a step tha
 TEST_CASE("a refusal is told once: closed while the flag plays it stays closed, and a later message takes its place") {
     const Screen screen;
     const TemporaryFolder folder;
-    App app(screen, without_cloth("report"));
+    std::vector<std::string> unfelt = without_cloth("report");
+    unfelt.insert(unfelt.end(), {"--set", "wind=off", "--set", "springs.drag=off"});
+    App app(screen, unfelt);
     const auto after_a_while = [&app] {
         const double now = app.look().number("time");
         return app.wait_until("time to pass", [now](const Look& look) { return look.number("time") > now + 0.3; });
     };
-    app.click("Page: Springs");
-    app.show("Air drag on");
+    app.click("Page: Wind");
     for (int time = 0; time < 2; ++time) {
         // Wind needs drag to be felt by.
-        app.click("Air drag on");
+        app.click("Wind");
         const Look refused =
             app.wait_until("the refusal", [](const Look& look) { return !look.text("message").empty(); });
         CHECK(refused.text("message").find("drag") != std::string::npos);
         CHECK(after_a_while().text("message") == refused.text("message"));
-        CHECK(app.look().controls.at("Air drag on").value == "1");
+        CHECK(app.look().controls.at("Wind").value == "0");
         if (time > 0) break;
         app.click("Close");
         CHECK(after_a_while().text("message").empty());
@@ -427,6 +428,25 @@ TEST_CASE("springs become a fabric, which keeps its cells short on any grid and 
     CHECK(saved.fabric->name == drapeau::FabricName::canvas);
     CHECK(saved.fabric->stretch_modulus == 1000.0);
     CHECK(saved.flag.rows == 33);
+    app.check_healthy();
+}
+
+TEST_CASE("the wind goes with the drag that felt it, which is said, and one undo brings both back") {
+    const Screen screen;
+    App app(screen, without_cloth("report"));
+    app.click("Page: Springs");
+    app.show("Air drag on");
+    app.set("Air drag on", false);
+    app.wait_until("a message",
+                   [](const Look& look) { return look.text("message").find("wind is off") != std::string::npos; });
+    CHECK(app.settle().controls.at("Air drag on").value == "0");
+    app.click("Page: Wind");
+    CHECK(app.settle().controls.at("Wind").value == "0");
+    app.press("ctrl+z");
+    app.wait_until("the wind", [](const Look& look) { return look.controls.at("Wind").value == "1"; });
+    app.click("Page: Springs");
+    app.show("Air drag on");
+    CHECK(app.settle().controls.at("Air drag on").value == "1");
     app.check_healthy();
 }
 
