@@ -436,7 +436,8 @@ TEST_CASE("help, version and the list of scenes are for standard output and succ
     CHECK(has(bench.run("run --help").output, "whole number of such steps"));
     for (const std::string arguments : {"--help", "run --help"}) {
         const std::string help = bench.run(arguments).output;
-        CHECK(has(help, "Exit status: 0 good, 2 bad input, 3 diverged."));
+        CHECK(has(help, "Exit status: 0 good, "));
+        CHECK(has(help, "2 bad input, 3 diverged."));
         CHECK(has(help, "Example: drapeau-lab run storm --seconds 10"));
     }
     CHECK(bench.run("scenes").output.starts_with("report\nbanner\nbreeze\ncalm\n"));

@@ -190,7 +190,7 @@ std::vector<PaletteItem> matching(std::vector<PaletteItem> items, std::string_vi
         const std::string key =
             item.keywords.empty() ? item.detail.substr(0, item.detail.find_first_of(" :")) : item.keywords;
         const int by_label = 2 * match_score(item.label, typed), by_key = 2 * match_score(key, typed) - 1;
-        const int by_all = match_score(key + ' ' + item.label + ' ' + item.about, typed, true);
+        const int by_all = match_score(item.label + ' ' + key + ' ' + item.about, typed, true);
         const int score = std::max({by_label, by_key, by_all});
         if (score > 0) scored.emplace_back(score, std::move(item));
     }

@@ -55,9 +55,19 @@ void begin_click(unsigned id, const Bar& bar, double value, const SliderScale& s
 /// ImGui 1.87 and later take what happened within a frame one by one, over several.
 bool mouse_is_settled() {
 #if IMGUI_VERSION_NUM >= 18700
-    if (!ImGui::GetCurrentContext()->InputEventsQueue.empty()) return false;
+    for (const ImGuiInputEvent& event : ImGui::GetCurrentContext()->InputEventsQueue)
+        if (event.Type == ImGuiInputEventType_MouseButton || event.Type == ImGuiInputEventType_MousePos) return false;
 #endif
     return !ImGui::IsMouseDown(0);
+}
+
+/// ImGui 1.89 and later complete a text by Tab alone.
+bool is_tab_back() {
+#if IMGUI_VERSION_NUM >= 18900
+    return ImGui::GetIO().KeyShift && ImGui::IsKeyPressed(ImGuiKey_Tab, false);
+#else
+    return false;
+#endif
 }
 
 bool is_disabled() {
@@ -191,6 +201,7 @@ bool edit_number(double& value, const SliderScale& scale, float width, BarMemory
     ImGui::GetWindowDrawList()->AddText({high.x - padding.x - extent.x, low.y + padding.y},
                                         ImGui::GetColorU32(ImGuiCol_TextDisabled), unit.c_str());
     const bool was_active = typing.active;
+    if (was_active && is_tab_back()) typing.goes_on = true;
     typing.active = ImGui::IsItemActive();
     const bool ends = (was_active && !typing.active) || typing.goes_on || typing.frames > frames_to_give_up;
     if (ends) {
