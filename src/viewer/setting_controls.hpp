@@ -4,6 +4,7 @@
 #include "scene/settings.hpp"
 #include "widgets.hpp"
 
+#include <algorithm>
 #include <concepts>
 #include <string>
 #include <tuple>
@@ -41,9 +42,10 @@ bool edit(Widgets& widgets, const Field& field, const std::string& tip, std::opt
 template <class Field, std::integral Whole>
 bool edit(Widgets& widgets, const Field& field, const std::string& tip, Whole& value, const Whole& origin) {
     SliderScale scale = scale_of(field.about, field.control, field.range);
-    scale.format = "%.0f", scale.whole = true;
-    int shown = static_cast<int>(value);
-    if (!widgets.slider(field.about.label, shown, scale, static_cast<int>(origin), tip.c_str())) return false;
+    constexpr double most_typed = 9007199254740992.0;  // up to 2^53 a double holds every whole number
+    scale.format = "%.0f", scale.whole = true, scale.most = std::min(*scale.most, most_typed);
+    auto shown = static_cast<long long>(value);  // a seed may be greater than an int
+    if (!widgets.slider(field.about.label, shown, scale, static_cast<long long>(origin), tip.c_str())) return false;
     value = static_cast<Whole>(shown);
     return true;
 }

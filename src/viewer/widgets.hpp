@@ -31,7 +31,7 @@ public:
     ~Widgets();
 
     bool slider(const char* label, double& value, const SliderScale& scale, double origin, const char* tip);
-    bool slider(const char* label, int& value, const SliderScale& whole, int origin, const char* tip);
+    bool slider(const char* label, long long& value, const SliderScale& whole, long long origin, const char* tip);
 
     /// The bar and its number alone, of a width in all. `noted`: what the UI map says of it; "" for its number.
     bool bar(const char* label, double& shown, const SliderScale& scale, float width, const char* tip,

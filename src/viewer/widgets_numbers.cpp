@@ -92,13 +92,14 @@ bool Widgets::slider(const char* label, double& value, const SliderScale& scale,
     return changed;
 }
 
-bool Widgets::slider(const char* label, int& value, const SliderScale& scale, int origin, const char* tip_text) {
+bool Widgets::slider(const char* label, long long& value, const SliderScale& scale, long long origin,
+                     const char* tip_text) {
     ImGui::PushID(label);
     begin_row(label, true);
-    double shown = value;
+    double shown = double(value);
     bool changed = bar(label, shown, scale, control_width(), tip_text);
-    if (changed) value = int(std::lround(shown));
-    if (shown != value) correction_ = fmt::format("{} is a whole number: {} is taken.", label, value);  // typed
+    if (changed) value = std::llround(shown);
+    if (shown != double(value)) correction_ = fmt::format("{} is a whole number: {} is taken.", label, value);  // typed
     if (back_arrow(label, value != origin)) {
         value = origin;
         changed = true;
